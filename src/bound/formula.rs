@@ -1,0 +1,281 @@
+//! Factors as the papers print them: quotients of polynomials in n, 2^(-n/2) and π, read from
+//! text.
+
+use super::{Polynomial, decimal};
+use crate::integral::Field;
+use dashu_ratio::RBig;
+use thiserror::Error;
+
+/// Why a formula could not be read.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[error("formula \"{text}\", at character {position}: {reason}")]
+pub struct FormulaError {
+    /// The whole text.
+    pub text: String,
+    /// Where, counted from 1.
+    pub position: usize,
+    /// What was wrong there.
+    pub reason: String,
+}
+
+/// numerator/denominator, both polynomials in n, h = 2^(-n/2) and π.
+///
+/// ```
+/// use bellfit::bound::Formula;
+/// let table: Formula = "(n + 2)*(n + 4)/(8*pi*(2^(-n/2) + n))".parse()?;
+/// let same: Formula = "(n^2 + 6*n + 8)/(8*pi*n + 8*pi*2^(-n/2))".parse()?;
+/// assert!(table.is_identical(&same));
+/// # Ok::<(), bellfit::bound::FormulaError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Formula {
+    /// Above the bar.
+    pub numerator: Polynomial,
+    /// Below the bar, never 0.
+    pub denominator: Polynomial,
+}
+
+impl Formula {
+    /// (a n + b)/(divisor π) from exact numbers.
+    pub fn linear(a: &RBig, b: &RBig, divisor: &RBig) -> Self {
+        let line = Polynomial::n().scaled(a).plus(&Polynomial::constant(b.clone()));
+        Formula { numerator: line, denominator: Polynomial::pi().scaled(divisor) }
+    }
+
+    /// Whether both are the same function of n.
+    pub fn is_identical(&self, other: &Self) -> bool {
+        let left = self.numerator.times(&other.denominator);
+        left.minus(&other.numerator.times(&self.denominator)).is_zero()
+    }
+
+    /// self · other.
+    pub fn times(&self, other: &Self) -> Self {
+        Formula {
+            numerator: self.numerator.times(&other.numerator),
+            denominator: self.denominator.times(&other.denominator),
+        }
+    }
+
+    /// 2π · self, with the powers of π that numerator and denominator share cancelled.
+    pub fn times_two_pi(&self) -> Self {
+        let numerator = self.numerator.times(&Polynomial::pi().scaled(&RBig::int(2)));
+        let shared = numerator.pi_content().min(self.denominator.pi_content());
+        Formula { numerator: numerator.without_pi(shared), denominator: self.denominator.without_pi(shared) }
+    }
+
+    fn constant(value: RBig) -> Self {
+        Self::whole(Polynomial::constant(value))
+    }
+
+    fn whole(numerator: Polynomial) -> Self {
+        Formula { numerator, denominator: Polynomial::constant(RBig::int(1)) }
+    }
+
+    fn plus(&self, rhs: &Self) -> Self {
+        Formula {
+            numerator: self.numerator.times(&rhs.denominator).plus(&rhs.numerator.times(&self.denominator)),
+            denominator: self.denominator.times(&rhs.denominator),
+        }
+    }
+
+    fn inverse(&self) -> Self {
+        Formula { numerator: self.denominator.clone(), denominator: self.numerator.clone() }
+    }
+
+    /// The value if it does not depend on n and has no π.
+    fn as_constant(&self) -> Option<RBig> {
+        Some(self.numerator.as_constant()? / self.denominator.as_constant()?)
+    }
+}
+
+impl core::str::FromStr for Formula {
+    type Err = FormulaError;
+
+    /// Numbers, `n`, `pi` (or π), + - * / ^ and parentheses; powers are whole numbers, or
+    /// `2^(k*n/2)` with a whole k.
+    fn from_str(text: &str) -> Result<Self, FormulaError> {
+        let mut reader = Reader { text, characters: text.chars().collect(), at: 0, depth: 0 };
+        let formula = reader.sum()?;
+        reader.skip();
+        if reader.at < reader.characters.len() {
+            return Err(reader.error("expected an operator or the end"));
+        }
+        Ok(formula)
+    }
+}
+
+/// The deepest nesting read, so that no text can exhaust the stack.
+const DEEPEST: usize = 64;
+/// The highest whole power read, so that no text can exhaust memory.
+const HIGHEST: i64 = 32;
+
+struct Reader<'a> {
+    text: &'a str,
+    characters: Vec<char>,
+    at: usize,
+    depth: usize,
+}
+
+impl Reader<'_> {
+    fn error(&self, reason: &str) -> FormulaError {
+        FormulaError { text: self.text.to_owned(), position: self.at + 1, reason: reason.to_owned() }
+    }
+
+    fn skip(&mut self) {
+        while self.characters.get(self.at).is_some_and(|c| c.is_whitespace()) {
+            self.at += 1;
+        }
+    }
+
+    fn take(&mut self, wanted: char) -> bool {
+        self.skip();
+        let found = self.characters.get(self.at) == Some(&wanted);
+        self.at += usize::from(found);
+        found
+    }
+
+    fn sum(&mut self) -> Result<Formula, FormulaError> {
+        let negative = Formula::constant(RBig::int(-1));
+        let mut total = if self.take('-') { self.product()?.times(&negative) } else { self.product()? };
+        loop {
+            if self.take('+') {
+                total = total.plus(&self.product()?);
+            } else if self.take('-') {
+                total = total.plus(&self.product()?.times(&negative));
+            } else {
+                return Ok(total);
+            }
+        }
+    }
+
+    fn product(&mut self) -> Result<Formula, FormulaError> {
+        let mut total = self.power()?;
+        loop {
+            if self.take('*') {
+                total = total.times(&self.power()?);
+            } else if self.take('/') {
+                let divisor = self.power()?;
+                if divisor.numerator.is_zero() {
+                    return Err(self.error("division by 0"));
+                }
+                total = total.times(&divisor.inverse());
+            } else {
+                return Ok(total);
+            }
+        }
+    }
+
+    fn power(&mut self) -> Result<Formula, FormulaError> {
+        let base = self.atom()?;
+        if !self.take('^') {
+            return Ok(base);
+        }
+        let exponent = self.atom()?;
+        if let Some(k) = exponent.as_constant() {
+            let k = self.whole(&k, "a power of anything but 2 must be a whole number")?;
+            let base = if k < 0 { base.inverse() } else { base };
+            if base.denominator.is_zero() {
+                return Err(self.error("division by 0"));
+            }
+            return Ok((0..k.abs()).fold(Formula::constant(RBig::int(1)), |p, _| p.times(&base)));
+        }
+        if base.as_constant() != Some(RBig::int(2)) {
+            return Err(self.error("only 2 can be raised to a power with n in it"));
+        }
+        // 2^(k n/2) = h^(-k)
+        let per_n = exponent.times(&Formula::whole(Polynomial::n()).inverse());
+        let ratio = per_n.numerator.in_n(0).zip(per_n.denominator.in_n(0)).and_then(|(top, bottom)| {
+            let lead = |p: &[RBig]| p.iter().position(|c| !c.is_zero());
+            let (i, j) = (lead(&top)?, lead(&bottom)?);
+            let ratio = top[i].clone() / bottom[j].clone();
+            let matches = per_n.numerator.minus(&per_n.denominator.scaled(&ratio)).is_zero();
+            matches.then_some(ratio)
+        });
+        let Some(ratio) = ratio else {
+            return Err(self.error("the power of 2 must be a multiple of n/2"));
+        };
+        let k = self.whole(&(ratio * RBig::int(-2)), "the power of 2 must be a multiple of n/2")?;
+        let h = Formula::whole(Polynomial::h());
+        let h = if k < 0 { h.inverse() } else { h };
+        Ok((0..k.abs()).fold(Formula::constant(RBig::int(1)), |p, _| p.times(&h)))
+    }
+
+    fn whole(&self, value: &RBig, reason: &str) -> Result<i64, FormulaError> {
+        let k = value.clone().to_f64().value();
+        if *value != RBig::int(k as i64) || (k as i64).abs() > HIGHEST {
+            return Err(self.error(reason));
+        }
+        Ok(k as i64)
+    }
+
+    fn atom(&mut self) -> Result<Formula, FormulaError> {
+        self.skip();
+        if self.take('(') {
+            self.depth += 1;
+            if self.depth > DEEPEST {
+                return Err(self.error("nested too deeply"));
+            }
+            let inner = self.sum()?;
+            self.depth -= 1;
+            return if self.take(')') { Ok(inner) } else { Err(self.error("expected )")) };
+        }
+        if self.take('π') {
+            return Ok(Formula::whole(Polynomial::pi()));
+        }
+        let start = self.at;
+        let word: String = self.characters[start..].iter().take_while(|c| c.is_ascii_alphabetic()).collect();
+        if word == "n" || word == "pi" {
+            self.at += word.len();
+            let variable = if word == "n" { Polynomial::n() } else { Polynomial::pi() };
+            return Ok(Formula::whole(variable));
+        }
+        let number: String =
+            self.characters[start..].iter().take_while(|c| c.is_ascii_digit() || **c == '.').collect();
+        match decimal(&number) {
+            Some((value, _)) => {
+                self.at += number.len();
+                Ok(Formula::constant(value))
+            }
+            None => Err(self.error("expected a number, n, pi or (")),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn printed_factors_are_read() {
+        let a: Formula = "(1.063*n + 1)/(2*pi)".parse().unwrap();
+        let b = Formula::linear(&decimal("1.063").unwrap().0, &RBig::int(1), &RBig::int(2));
+        assert!(a.is_identical(&b));
+        let c: Formula = "1.063*(n + 1)/(2*π)".parse().unwrap();
+        assert!(!a.is_identical(&c));
+        // 2^(-n) = h², 2^(-n/2)^2
+        let d: Formula = "2^(-n)".parse().unwrap();
+        assert!(d.is_identical(&"(2^(-n/2))^2".parse().unwrap()));
+        assert!(a.times_two_pi().is_identical(&"1.063*n + 1".parse().unwrap()));
+        assert_eq!(a.times_two_pi().denominator.degree(2), 0);
+    }
+
+    #[test]
+    fn what_cannot_be_read_is_named_with_its_place() {
+        for (text, position) in [
+            ("", 1),
+            ("n +", 4),
+            ("(n", 3),
+            ("n n", 3),
+            ("3^n", 4),
+            ("2^(n*n)", 8),
+            ("n/0", 4),
+            ("n^0.5", 6),
+            ("x", 1),
+        ] {
+            let error = text.parse::<Formula>().unwrap_err();
+            assert_eq!(error.position, position, "{error}");
+        }
+        assert!("(".repeat(1000).parse::<Formula>().is_err());
+        assert!("n^33".parse::<Formula>().is_err());
+    }
+}

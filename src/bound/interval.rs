@@ -1,0 +1,280 @@
+//! Closed intervals of doubles with outward rounding.
+//!
+//! IEEE addition, subtraction, multiplication, division and square root are correctly rounded, so
+//! one step outward with `next_down`/`next_up` encloses the exact result on every machine. All
+//! other functions are built from these in [`super::elementary`]; no library function is trusted.
+
+use crate::integral::Field;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// The closed interval [lo, hi].
+///
+/// Every operation returns an interval that contains the exact result for every choice of
+/// operands. Division by an interval that contains 0 gives (-∞, ∞).
+///
+/// ```
+/// use bellfit::bound::Interval;
+/// let third = Interval::from(1.0) / Interval::from(3.0);
+/// assert!(third.lo() < third.hi());                 // 1/3 is not a double
+/// assert!((third * Interval::from(3.0)).contains(1.0));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    lo: f64,
+    hi: f64,
+}
+
+fn down(x: f64) -> f64 {
+    x.next_down()
+}
+
+fn up(x: f64) -> f64 {
+    x.next_up()
+}
+
+impl From<f64> for Interval {
+    fn from(x: f64) -> Self {
+        Interval { lo: x, hi: x }
+    }
+}
+
+impl Interval {
+    /// All real numbers.
+    pub const WHOLE: Interval = Interval { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
+    /// π, which lies just above the double of that name.
+    pub const PI: Interval = Interval { lo: core::f64::consts::PI, hi: core::f64::consts::PI.next_up() };
+    /// ln 2, which lies just above the double of that name.
+    pub const LN_2: Interval =
+        Interval { lo: core::f64::consts::LN_2, hi: core::f64::consts::LN_2.next_up() };
+
+    /// [lo, hi]. A NaN or a reversed pair gives [`Interval::WHOLE`]: what is not known is not
+    /// excluded.
+    pub fn new(lo: f64, hi: f64) -> Self {
+        if lo <= hi { Interval { lo, hi } } else { Interval::WHOLE }
+    }
+
+    /// The lower end.
+    pub const fn lo(self) -> f64 {
+        self.lo
+    }
+
+    /// The upper end.
+    pub const fn hi(self) -> f64 {
+        self.hi
+    }
+
+    /// A double inside, near the middle.
+    pub fn mid(self) -> f64 {
+        let mid = self.lo + 0.5 * (self.hi - self.lo);
+        mid.clamp(self.lo, self.hi)
+    }
+
+    /// hi - lo, rounded up.
+    pub fn width(self) -> f64 {
+        if self.lo == self.hi { 0.0 } else { up(self.hi - self.lo) }
+    }
+
+    /// Whether x lies inside, ends included.
+    pub fn contains(self, x: f64) -> bool {
+        self.lo <= x && x <= self.hi
+    }
+
+    /// Whether `other` lies inside, ends included.
+    pub fn encloses(self, other: Interval) -> bool {
+        self.lo <= other.lo && other.hi <= self.hi
+    }
+
+    /// Whether the two have no point in common.
+    pub fn is_disjoint(self, other: Interval) -> bool {
+        self.hi < other.lo || other.hi < self.lo
+    }
+
+    /// The smallest interval that holds both.
+    pub fn hull(self, other: Interval) -> Self {
+        Interval { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
+    }
+
+    /// The common part of two enclosures of one number; `self` where they have none, which only
+    /// happens to enclosures of different numbers.
+    pub fn intersect(self, other: Interval) -> Self {
+        let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi));
+        if lo <= hi { Interval { lo, hi } } else { self }
+    }
+
+    /// |self|.
+    pub fn abs(self) -> Self {
+        if self.lo >= 0.0 {
+            self
+        } else if self.hi <= 0.0 {
+            -self
+        } else {
+            Interval { lo: 0.0, hi: self.hi.max(-self.lo) }
+        }
+    }
+
+    /// The larger of the two, end by end.
+    pub fn max(self, other: Interval) -> Self {
+        Interval { lo: self.lo.max(other.lo), hi: self.hi.max(other.hi) }
+    }
+
+    /// The smaller of the two, end by end.
+    pub fn least(self, other: Interval) -> Self {
+        Interval { lo: self.lo.min(other.lo), hi: self.hi.min(other.hi) }
+    }
+
+    /// The square root of the part that is not negative.
+    pub fn square_root(self) -> Self {
+        let root = |x: f64| libm::sqrt(x.max(0.0));
+        Interval { lo: down(root(self.lo)).max(0.0), hi: up(root(self.hi)) }
+    }
+
+    /// The halves left and right of the middle.
+    pub fn bisect(self) -> (Self, Self) {
+        let mid = self.mid();
+        (Interval { lo: self.lo, hi: mid }, Interval { lo: mid, hi: self.hi })
+    }
+}
+
+impl Neg for Interval {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Interval { lo: -self.hi, hi: -self.lo }
+    }
+}
+
+impl Add for Interval {
+    type Output = Self;
+    fn add(self, rhs: Self) -> Self {
+        Interval { lo: down(self.lo + rhs.lo), hi: up(self.hi + rhs.hi) }
+    }
+}
+
+impl Sub for Interval {
+    type Output = Self;
+    fn sub(self, rhs: Self) -> Self {
+        self + -rhs
+    }
+}
+
+impl Mul for Interval {
+    type Output = Self;
+    fn mul(self, rhs: Self) -> Self {
+        let products = [self.lo * rhs.lo, self.lo * rhs.hi, self.hi * rhs.lo, self.hi * rhs.hi];
+        if products.iter().any(|p| p.is_nan()) {
+            return Interval::WHOLE; // 0 × ∞
+        }
+        let (mut lo, mut hi) = (products[0], products[0]);
+        for p in products {
+            lo = lo.min(p);
+            hi = hi.max(p);
+        }
+        Interval { lo: down(lo), hi: up(hi) }
+    }
+}
+
+impl Div for Interval {
+    type Output = Self;
+    fn div(self, rhs: Self) -> Self {
+        if rhs.contains(0.0) {
+            return Interval::WHOLE;
+        }
+        let quotients = [self.lo / rhs.lo, self.lo / rhs.hi, self.hi / rhs.lo, self.hi / rhs.hi];
+        if quotients.iter().any(|q| q.is_nan()) {
+            return Interval::WHOLE; // ∞ / ∞
+        }
+        let (mut lo, mut hi) = (quotients[0], quotients[0]);
+        for q in quotients {
+            lo = lo.min(q);
+            hi = hi.max(q);
+        }
+        Interval { lo: down(lo), hi: up(hi) }
+    }
+}
+
+impl Field for Interval {
+    fn int(value: i64) -> Self {
+        // Every integer of the closed forms is far below 2^53.
+        Interval::from(value as f64)
+    }
+
+    fn power(&self, k: u32) -> Self {
+        let (lo, hi) = (signed_power(self.lo, k), signed_power(self.hi, k));
+        if k > 0 && k % 2 == 0 && self.contains(0.0) {
+            Interval { lo: 0.0, hi: lo.hi.max(hi.hi) }
+        } else {
+            lo.hull(hi) // monotone: odd powers everywhere, even ones away from 0
+        }
+    }
+}
+
+/// xᵏ by squaring |x|, where rounding down and up never meets a sign.
+fn signed_power(x: f64, k: u32) -> Interval {
+    let (mut lo, mut hi) = (1.0_f64, 1.0_f64);
+    let (mut base_lo, mut base_hi) = (x.abs(), x.abs());
+    let mut rest = k;
+    while rest > 0 {
+        if rest & 1 == 1 {
+            (lo, hi) = (down(lo * base_lo).max(0.0), up(hi * base_hi));
+        }
+        rest >>= 1;
+        if rest > 0 {
+            (base_lo, base_hi) = (down(base_lo * base_lo).max(0.0), up(base_hi * base_hi));
+        }
+    }
+    if x < 0.0 && k % 2 == 1 { Interval { lo: -hi, hi: -lo } } else { Interval { lo, hi } }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn operations_contain_exact_results() {
+        // 0.1 + 0.2 as doubles is exactly representable in more bits; sums of integers scaled by
+        // 2^-60 are exact in i128, an arithmetic outside the code under test.
+        let scale = (1u64 << 60) as f64;
+        let mut state = 12345u64;
+        let mut next = || {
+            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (state >> 11) as i64 - (1 << 52)
+        };
+        for _ in 0..2000 {
+            let (a, b) = (next(), next());
+            let (x, y) = (Interval::from(a as f64), Interval::from(b as f64));
+            let product = i128::from(a) * i128::from(b);
+            let p = x * y;
+            assert!(p.lo() as i128 <= product && product <= p.hi() as i128);
+            let sum = (x / Interval::from(scale)) + (y / Interval::from(scale));
+            assert!(sum.lo() * scale <= (a + b) as f64 && (a + b) as f64 <= sum.hi() * scale);
+            if b != 0 {
+                let q = x / y;
+                // q.lo ≤ a/b ≤ q.hi as q.lo b ≤ a ≤ q.hi b for b > 0, with the products enclosed.
+                let back = q * y;
+                assert!(back.contains(a as f64));
+            }
+        }
+    }
+
+    #[test]
+    fn powers_respect_the_sign() {
+        let x = Interval::new(-0.5, 0.25);
+        assert_eq!(x.power(2).lo(), 0.0);
+        assert!(x.power(2).contains(0.25) && x.power(2).hi() < 0.2501);
+        assert!(x.power(17).contains(-7.62939453125e-6) && x.power(17).lo() > -7.63e-6);
+    }
+
+    #[test]
+    fn what_is_not_known_is_not_excluded() {
+        assert_eq!(Interval::new(f64::NAN, 1.0), Interval::WHOLE);
+        assert_eq!(Interval::new(2.0, 1.0), Interval::WHOLE);
+        assert_eq!(Interval::from(1.0) / Interval::new(-1.0, 1.0), Interval::WHOLE);
+    }
+
+    #[test]
+    fn pi_and_ln_2_lie_inside() {
+        // The next digits of π after its double 3.141592653589793115997963... are ...238462643,
+        // of ln 2 after 0.693147180559945286226764 are ...309417232 (any table of constants).
+        assert!(Interval::PI.width() < 1e-15 && Interval::LN_2.width() < 3e-16);
+        assert!(Interval::PI.lo() < Interval::PI.hi());
+    }
+}

@@ -1,0 +1,30 @@
+//! Rigorous enclosures: of Int(n), of a residual over all n, of a lobe's distance from another
+//! over all arguments. Nothing here estimates.
+
+mod difference;
+mod elementary;
+mod exact;
+mod fixed;
+mod formula;
+mod gaussian;
+mod integrals;
+mod interval;
+mod jet;
+mod polynomial;
+mod residual;
+mod search;
+
+pub use difference::{
+    DifferenceExtreme, cos_n_range, cut_effect, cut_numerator, cut_range, difference_infimum,
+    difference_supremum,
+};
+pub use exact::{decimal, enclose, exact, power_of_ten};
+pub use fixed::Fixed;
+pub use formula::{Formula, FormulaError};
+pub use gaussian::{Gaussian, bell_distance, gaussian_distance};
+pub use integrals::{IntegralRow, IntegralTable, integral_enclosure};
+pub use interval::Interval;
+pub use jet::{Jet, range};
+pub use polynomial::{Coefficient, Exponents, Polynomial};
+pub use residual::{Extreme, Extremes, Residual};
+pub use search::{Supremum, infimum, supremum};

@@ -1,0 +1,194 @@
+//! The residual 2π coef(n) Int(n) - 1 of a factor, bounded over every integer and over every
+//! real n of a range.
+
+use super::difference::reciprocal;
+use super::{Coefficient, Exponents, Formula, Interval, Jet, range, supremum};
+use crate::integral::{Case, Edge, scaled_closed_form};
+
+/// An extreme value with the argument it belongs to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extreme {
+    /// Encloses the extreme value.
+    pub value: Interval,
+    /// Where: for integers the smallest n at which the enclosures allow it, for reals a point at
+    /// which the value is within the enclosure's width.
+    pub n: f64,
+}
+
+/// Both extremes of a residual.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extremes {
+    /// The largest, signed.
+    pub max: Extreme,
+    /// The smallest, signed.
+    pub min: Extreme,
+}
+
+impl Extremes {
+    /// The larger of |max| and |min|.
+    pub fn magnitude(&self) -> Extreme {
+        let (max, min) = (self.max.value.abs(), self.min.value.abs());
+        let n = if max.lo() >= min.lo() { self.max.n } else { self.min.n };
+        Extreme { value: max.max(min), n }
+    }
+
+    fn include(&mut self, value: Interval, n: f64) {
+        if value.lo() > self.max.value.hi() {
+            self.max.n = n;
+        }
+        if value.hi() < self.min.value.lo() {
+            self.min.n = n;
+        }
+        self.max.value = self.max.value.max(value);
+        self.min.value = self.min.value.least(value);
+    }
+}
+
+/// Boxes after which a search over real n settles for what it has.
+const MOST_BOXES: usize = 20_000;
+
+/// A factor held against one integral.
+///
+/// ```
+/// use bellfit::{bound::{Formula, Residual}, integral::{Case, Limit, Lobe}, kernel::model::Model};
+/// let case = Case { model: Model::Phong, lobe: Lobe::Cs16, limit: Limit::Support };
+/// let printed: Formula = "1.063*n/(2*pi)".parse()?;
+/// let reals = Residual::new(case, &printed).over_reals(16.0, 1024.0);
+/// // 1.063/1.0625 - 1 = 8/17000 for every n
+/// assert!(reals.max.value.contains(8.0 / 17000.0) && reals.max.value.width() < 1e-12);
+/// # Ok::<(), bellfit::bound::FormulaError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Residual {
+    case: Case,
+    intervals: Compiled<Interval>,
+    jets: Compiled<Jet>,
+}
+
+#[derive(Clone, Debug)]
+struct Compiled<T> {
+    numerator: Vec<(T, Exponents)>,
+    numerator_degree: u32,
+    denominator: Vec<(T, Exponents)>,
+    denominator_degree: u32,
+    has_power_of_two: bool,
+}
+
+impl<T: Edge + Coefficient> Compiled<T> {
+    fn new(factor: &Formula) -> Self {
+        let Formula { numerator, denominator } = factor.times_two_pi();
+        Compiled {
+            numerator_degree: numerator.degree(0),
+            denominator_degree: denominator.degree(0),
+            has_power_of_two: numerator.degree(1) + denominator.degree(1) > 0,
+            numerator: numerator.compile(),
+            denominator: denominator.compile(),
+        }
+    }
+
+    /// 2π coef(n)/n at m = 1/n: both polynomials times the power of m that clears their poles.
+    fn per_n(&self, m: &T) -> T {
+        let h = if self.has_power_of_two { m.half_power() } else { T::int(0) };
+        let sum = |terms: &[(T, Exponents)], degree: u32| {
+            terms.iter().fold(T::int(0), |total, (c, e)| {
+                let mut term = c.clone() * m.power(degree - e[0]);
+                if e[1] > 0 {
+                    term = term * h.power(e[1]);
+                }
+                if e[2] > 0 {
+                    term = term * T::pi().power(e[2]);
+                }
+                total + term
+            })
+        };
+        let quotient =
+            sum(&self.numerator, self.numerator_degree) / sum(&self.denominator, self.denominator_degree);
+        let (up, down) = (1 + self.denominator_degree, self.numerator_degree);
+        if up >= down { quotient * m.power(up - down) } else { quotient / m.power(down - up) }
+    }
+
+    fn residual(&self, case: Case, m: &T) -> T {
+        self.per_n(m) * scaled_closed_form(case, m) - T::int(1)
+    }
+}
+
+impl Residual {
+    /// The residual of `factor` for `case`.
+    pub fn new(case: Case, factor: &Formula) -> Self {
+        Residual { case, intervals: Compiled::new(factor), jets: Compiled::new(factor) }
+    }
+
+    /// The residual at one n.
+    pub fn at(&self, n: f64) -> Interval {
+        let m = reciprocal(Interval::from(n));
+        self.intervals.residual(self.case, &m)
+    }
+
+    /// The extremes over the integers from..=to.
+    pub fn over_integers(&self, from: u32, to: u32) -> Extremes {
+        let first = Extreme { value: self.at(f64::from(from)), n: f64::from(from) };
+        let mut extremes = Extremes { max: first, min: first };
+        for n in from..=to {
+            extremes.include(self.at(f64::from(n)), f64::from(n));
+        }
+        extremes
+    }
+
+    /// The extremes over every real n in [from, to], by branch and bound in m = 1/n with
+    /// first derivatives, to about six digits of the larger of them.
+    pub fn over_reals(&self, from: f64, to: f64) -> Extremes {
+        let m = reciprocal(Interval::new(from, to));
+        let size = self.at(from).abs().hi().max(self.at(to).abs().hi());
+        let tolerance = (1e-6 * size).max(1e-13);
+        let search = |sign: f64| {
+            let oriented = |[m]: &[Interval; 1]| {
+                let found = range(|m| self.jets.residual(self.case, &m), *m);
+                if sign > 0.0 { found } else { -found }
+            };
+            let found = supremum(oriented, [m], tolerance, MOST_BOXES);
+            let value = if sign > 0.0 { found.value } else { -found.value };
+            // Ties within the enclosure go to the smallest n.
+            let ends = [from, to].into_iter().find(|&n| !self.at(n).is_disjoint(value));
+            let n = ends.unwrap_or((1.0 / found.at[0]).clamp(from, to));
+            Extreme { value, n }
+        };
+        Extremes { max: search(1.0), min: search(-1.0) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::integral::{Limit, Lobe};
+    use crate::kernel::model::Model;
+
+    /// For Phong (modified) on the support Int = (16/17n)(1 - 8/(9n)) by hand, so with
+    /// (1.063 n + 1) the residual is (16/17)(1.063 + m)(1 - 8m/9) - 1, a parabola in m with its
+    /// top at m = 9/16 - 1.063/2.
+    #[test]
+    fn a_parabola_is_bounded_at_its_top() {
+        let case = Case { model: Model::PhongModified, lobe: Lobe::Cs16, limit: Limit::Support };
+        let factor: Formula = "(1.063*n + 1)/(2*pi)".parse().unwrap();
+        let residual = Residual::new(case, &factor);
+        let m = 9.0 / 16.0 - 1.063 / 2.0;
+        let top = 16.0 / 17.0 * (1.063 + m) * (1.0 - 8.0 * m / 9.0) - 1.0;
+        let reals = residual.over_reals(16.0, 1024.0);
+        // The formula above loses a few ε of 1 by cancellation.
+        assert!((reals.max.value.mid() - top).abs() < 1e-8 && reals.max.value.width() < 1e-8);
+        assert!((reals.max.n - 1.0 / m).abs() < 0.1, "{}", reals.max.n);
+        let integers = residual.over_integers(16, 1024);
+        assert_eq!(integers.max.n, libm::round(1.0 / m));
+        assert!(integers.max.value.hi() <= reals.max.value.hi());
+        assert_eq!(integers.min.n, 16.0);
+        assert!(integers.min.value.contains(4.0 / 9000.0)); // (16/17)(1.063 + 1/16)(17/18) - 1
+    }
+
+    #[test]
+    fn ties_go_to_the_smallest_n() {
+        let case = Case { model: Model::Phong, lobe: Lobe::Cs16, limit: Limit::Support };
+        let residual = Residual::new(case, &"1.063*n/(2*pi)".parse().unwrap());
+        assert_eq!(residual.over_integers(16, 1024).max.n, 16.0);
+        assert_eq!(residual.over_reals(16.0, 1024.0).max.n, 16.0);
+        assert_eq!(residual.over_integers(16, 1024).magnitude().n, 16.0);
+    }
+}

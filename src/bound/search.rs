@@ -1,0 +1,154 @@
+//! Branch and bound: the supremum of a function over a box, enclosed.
+
+use super::Interval;
+use core::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+/// The supremum of f over a box, with where it was found and what it took.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Supremum<const D: usize> {
+    /// Encloses sup f: its lower end is reached at `at`, its upper end is never exceeded.
+    pub value: Interval,
+    /// A point of the box at which f ≥ `value.lo()`.
+    pub at: [f64; D],
+    /// Boxes examined.
+    pub boxes: usize,
+}
+
+struct Candidate<const D: usize> {
+    upper: f64,
+    cell: [Interval; D],
+}
+
+impl<const D: usize> PartialEq for Candidate<D> {
+    fn eq(&self, other: &Self) -> bool {
+        self.upper == other.upper
+    }
+}
+impl<const D: usize> Eq for Candidate<D> {}
+impl<const D: usize> PartialOrd for Candidate<D> {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+impl<const D: usize> Ord for Candidate<D> {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.upper.total_cmp(&other.upper)
+    }
+}
+
+/// Encloses sup f over `domain`, where `f` encloses its range over any box it is given.
+///
+/// The box with the largest upper bound is halved along its relatively widest side until that
+/// bound is within `tolerance` of the best value seen, or `most` boxes have been examined; either
+/// way the result is an enclosure, only its width differs.
+///
+/// ```
+/// use bellfit::bound::{Interval, supremum};
+/// // x (1 - x) on [0, 1]: 1/4 at 1/2
+/// let best = supremum(|[x]| *x * (Interval::from(1.0) - *x), [Interval::new(0.0, 1.0)], 1e-6, 100_000);
+/// assert!(best.value.contains(0.25) && best.value.width() <= 1.1e-6);
+/// assert!((best.at[0] - 0.5).abs() < 1e-2);
+/// ```
+pub fn supremum<const D: usize>(
+    f: impl Fn(&[Interval; D]) -> Interval,
+    domain: [Interval; D],
+    tolerance: f64,
+    most: usize,
+) -> Supremum<D> {
+    let mut best = f64::NEG_INFINITY;
+    let mut at = domain.map(Interval::mid);
+    let mut sample = |cell: &[Interval; D], best: &mut f64| {
+        for point in [cell.map(Interval::lo), cell.map(Interval::hi), cell.map(Interval::mid)] {
+            let value = f(&point.map(Interval::from)).lo();
+            if value > *best {
+                (*best, at) = (value, point);
+            }
+        }
+    };
+    sample(&domain, &mut best);
+    let mut heap = BinaryHeap::new();
+    heap.push(Candidate { upper: f(&domain).hi(), cell: domain });
+    let mut boxes = 1;
+    let upper = loop {
+        let Some(top) = heap.pop() else { break best };
+        if top.upper <= best + tolerance || boxes >= most {
+            break top.upper.max(best);
+        }
+        let side = widest(&top.cell, &domain);
+        let (left, right) = top.cell[side].bisect();
+        if left.width() == 0.0 || right.width() == 0.0 {
+            break top.upper; // as fine as doubles go
+        }
+        for half in [left, right] {
+            let mut cell = top.cell;
+            cell[side] = half;
+            sample(&cell, &mut best);
+            // A part's range lies in the whole's.
+            let upper = f(&cell).hi().min(top.upper);
+            boxes += 1;
+            if upper > best {
+                heap.push(Candidate { upper, cell });
+            }
+        }
+    };
+    Supremum { value: Interval::new(best, upper), at, boxes }
+}
+
+/// The infimum, as the supremum of -f.
+pub fn infimum<const D: usize>(
+    f: impl Fn(&[Interval; D]) -> Interval,
+    domain: [Interval; D],
+    tolerance: f64,
+    most: usize,
+) -> Supremum<D> {
+    let negated = supremum(|cell| -f(cell), domain, tolerance, most);
+    Supremum { value: -negated.value, ..negated }
+}
+
+fn widest<const D: usize>(cell: &[Interval; D], domain: &[Interval; D]) -> usize {
+    let share = |k: usize| {
+        let splits = cell[k].lo() < cell[k].mid() && cell[k].mid() < cell[k].hi();
+        if splits { cell[k].width() / domain[k].width() } else { 0.0 }
+    };
+    (0..D).fold(0, |best, k| if share(k) > share(best) { k } else { best })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_plane_wave_is_bounded_in_two_dimensions() {
+        // x y (1 - x)(1 - y) has its maximum 1/16 at the centre.
+        let one = Interval::from(1.0);
+        let f = |[x, y]: &[Interval; 2]| *x * (one - *x) * *y * (one - *y);
+        let best = supremum(f, [Interval::new(0.0, 1.0); 2], 1e-4, 1_000_000);
+        assert!(best.value.contains(0.0625) && best.value.width() < 1.1e-4);
+        let least = infimum(f, [Interval::new(0.0, 1.0); 2], 1e-4, 1_000_000);
+        assert!(least.value.contains(0.0));
+    }
+
+    #[test]
+    fn running_out_of_boxes_still_encloses() {
+        let f = |[x]: &[Interval; 1]| *x - *x; // 0, with a dependency that never resolves exactly
+        let best = supremum(f, [Interval::new(0.0, 1.0)], 0.0, 64);
+        assert!(best.value.contains(0.0) && best.value.hi() > 0.0);
+    }
+
+    #[test]
+    fn a_side_too_thin_to_split_does_not_stop_the_others() {
+        let thin = Interval::new(1.0, 1.0_f64.next_up());
+        let one = Interval::from(1.0);
+        let f = |[a, x]: &[Interval; 2]| *a * *x * (one - *x);
+        let best = supremum(f, [thin, Interval::new(0.0, 1.0)], 1e-5, 100_000);
+        assert!(best.value.contains(0.25) && best.value.width() < 1.1e-5);
+    }
+
+    #[test]
+    fn a_supremum_at_an_end_is_found_there() {
+        let best = supremum(|[x]| *x, [Interval::new(0.0, 3.0)], 1e-12, 1000);
+        assert_eq!(best.at, [3.0]);
+        assert!(best.value.contains(3.0));
+    }
+}

@@ -1,0 +1,144 @@
+//! The two floating-point types that every kernel is written for.
+
+use core::fmt::Debug;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+}
+
+/// `f32` or `f64`, with the elementary functions of `libm`; sealed, as the stated behaviour at NaN and
+/// infinities is checked for these two only.
+///
+/// On a concrete type Rust prefers the inherent methods of the same name (`max` differs: see
+/// [`Real::max`]); these are for generic code.
+///
+/// ```
+/// use bellfit::kernel::real::Real;
+/// fn hypotenuse<F: Real>(a: F, b: F) -> F {
+///     (a * a + b * b).sqrt()
+/// }
+/// assert_eq!(hypotenuse(3.0_f32, 4.0), 5.0);
+/// assert_eq!(hypotenuse(3.0_f64, 4.0), 5.0);
+/// ```
+pub trait Real:
+    sealed::Sealed
+    + Copy
+    + PartialOrd
+    + Debug
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + 'static
+{
+    /// 0.
+    const ZERO: Self;
+    /// ½.
+    const HALF: Self;
+    /// 1.
+    const ONE: Self;
+    /// 2.
+    const TWO: Self;
+    /// π, rounded to the type.
+    const PI: Self;
+    /// A quiet NaN.
+    const NAN: Self;
+
+    /// `value` rounded to the type.
+    fn from_f64(value: f64) -> Self;
+    /// `value` rounded to the type; exact up to 2²⁴ in `f32`.
+    fn from_u32(value: u32) -> Self;
+    /// The value in double precision, exact.
+    fn to_f64(self) -> f64;
+
+    /// √x, correctly rounded; NaN below 0.
+    fn sqrt(self) -> Self;
+    /// sin x, x in radians; NaN at ±∞.
+    fn sin(self) -> Self;
+    /// cos x, x in radians; NaN at ±∞.
+    fn cos(self) -> Self;
+    /// arcsin x in radians; NaN outside [-1, 1].
+    fn asin(self) -> Self;
+    /// eˣ.
+    fn exp(self) -> Self;
+    /// 2ˣ.
+    fn exp2(self) -> Self;
+    /// Natural logarithm; -∞ at 0, NaN below.
+    fn log(self) -> Self;
+    /// ln(1 + x), without the cancellation of the sum; -∞ at -1, NaN below.
+    fn log1p(self) -> Self;
+    /// xʸ as in IEEE 754: x⁰ = 1 and 1ʸ = 1 even where the other argument is NaN.
+    fn pow(self, exponent: Self) -> Self;
+    /// |x|.
+    fn abs(self) -> Self;
+    /// Whether x is NaN.
+    fn is_nan(self) -> bool;
+    /// Whether x is neither NaN nor infinite.
+    fn is_finite(self) -> bool;
+
+    /// The larger of the two; NaN if either is, unlike the inherent `max`, which drops a NaN and would
+    /// turn a broken dot product into a plausible 0.
+    #[inline]
+    fn max(self, other: Self) -> Self {
+        if self >= other || self.is_nan() { self } else { other }
+    }
+
+    /// The smaller of the two; NaN if either is, unlike the inherent `min`.
+    #[inline]
+    fn min(self, other: Self) -> Self {
+        if self <= other || self.is_nan() { self } else { other }
+    }
+}
+
+macro_rules! real {
+    ($float:ident, $($method:ident = $libm:ident),+; $pow:ident) => {
+        impl Real for $float {
+            const ZERO: Self = 0.0;
+            const HALF: Self = 0.5;
+            const ONE: Self = 1.0;
+            const TWO: Self = 2.0;
+            const PI: Self = core::$float::consts::PI;
+            const NAN: Self = $float::NAN;
+
+            #[inline]
+            fn from_f64(value: f64) -> Self {
+                value as $float
+            }
+            #[inline]
+            fn from_u32(value: u32) -> Self {
+                value as $float
+            }
+            #[inline]
+            fn to_f64(self) -> f64 {
+                self as f64
+            }
+            $(
+                #[inline]
+                fn $method(self) -> Self {
+                    libm::$libm(self)
+                }
+            )+
+            #[inline]
+            fn pow(self, exponent: Self) -> Self {
+                libm::$pow(self, exponent)
+            }
+            #[inline]
+            fn is_nan(self) -> bool {
+                $float::is_nan(self)
+            }
+            #[inline]
+            fn is_finite(self) -> bool {
+                $float::is_finite(self)
+            }
+        }
+    };
+}
+
+real!(f32, sqrt = sqrtf, sin = sinf, cos = cosf, asin = asinf, exp = expf, exp2 = exp2f, log = logf,
+    log1p = log1pf, abs = fabsf; powf);
+real!(f64, sqrt = sqrt, sin = sin, cos = cos, asin = asin, exp = exp, exp2 = exp2, log = log,
+    log1p = log1p, abs = fabs; pow);

@@ -1,0 +1,8 @@
+//! Bell-shaped kernels of computer graphics, verified.
+#![cfg_attr(not(feature = "toolkit"), no_std)]
+
+#[cfg(feature = "toolkit")]
+pub mod bound;
+#[cfg(feature = "toolkit")]
+pub mod integral;
+pub mod kernel;
