@@ -4,5 +4,7 @@
 #[cfg(feature = "toolkit")]
 pub mod bound;
 #[cfg(feature = "toolkit")]
+pub mod fit;
+#[cfg(feature = "toolkit")]
 pub mod integral;
 pub mod kernel;

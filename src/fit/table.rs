@@ -1,0 +1,71 @@
+//! One fit from problem to certificate: solved twice, rounded, then certified.
+
+use super::{FitError, Form, Line, Objective, Problem, least_squares, minimax, simplex_search};
+use crate::bound::{Extremes, Residual};
+use crate::integral::Case;
+
+/// A fitted line with its certified residual.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FitRow {
+    /// Which integral.
+    pub case: Case,
+    /// What was minimised.
+    pub objective: Objective,
+    /// The line, rounded to the digits asked for.
+    pub line: Line,
+    /// Its residual over the integers of the range.
+    pub integers: Extremes,
+    /// Its residual over every real n of the range.
+    pub reals: Extremes,
+    /// Where a minimax residual alternates.
+    pub alternation: Vec<f64>,
+}
+
+/// The largest distance between two methods' solutions, relative for a, to 1 for b.
+const AGREEMENT: f64 = 1e-6;
+
+/// Fits `problem`, rounds to `digits` significant decimals and certifies what was rounded.
+///
+/// Every linear least-squares fit is repeated by a nonlinear search.
+///
+/// # Errors
+/// [`FitError::Disagreement`] if the two differ by more than 1e-6; else what the methods report.
+pub fn fit_case(
+    problem: &Problem,
+    objective: Objective,
+    form: Form,
+    digits: usize,
+) -> Result<FitRow, FitError> {
+    let (a, b, alternation) = if objective == Objective::Minimax {
+        let best = minimax(problem, form)?;
+        (best.a, best.b, best.alternation)
+    } else {
+        let (a, b) = least_squares(problem, objective, form)?;
+        if form == Form::Linear {
+            let (c, d) = simplex_search(problem, objective)?;
+            if (a - c).abs() > AGREEMENT * a.abs() || (b - d).abs() > AGREEMENT * b.abs().max(1.0) {
+                return Err(FitError::Disagreement {
+                    case: format!("{}, {}", problem.case, objective.id()),
+                    left: "QR",
+                    a: a.to_string(),
+                    b: b.to_string(),
+                    right: "the simplex search",
+                    c: c.to_string(),
+                    d: d.to_string(),
+                });
+            }
+        }
+        (a, b, vec![])
+    };
+    let line = Line::rounded(a, b, problem.divisor, digits)
+        .ok_or_else(|| FitError::NoOptimum { method: "rounding", case: problem.case.to_string() })?;
+    let residual = Residual::new(problem.case, line.formula());
+    Ok(FitRow {
+        case: problem.case,
+        objective,
+        integers: residual.over_integers(problem.from, problem.to),
+        reals: residual.over_reals(f64::from(problem.from), f64::from(problem.to)),
+        line,
+        alternation,
+    })
+}
