@@ -8,3 +8,9 @@ pub mod fit;
 #[cfg(feature = "toolkit")]
 pub mod integral;
 pub mod kernel;
+#[cfg(feature = "toolkit")]
+pub mod paper;
+#[cfg(feature = "toolkit")]
+pub mod report;
+#[cfg(feature = "toolkit")]
+pub mod verdict;

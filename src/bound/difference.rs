@@ -30,15 +30,12 @@ impl DifferenceExtreme {
     }
 }
 
-/// cosⁿθ = (1 - t m)^(1/m) over a box of t and m > 0.
+/// cosⁿθ = (1 - t m)^(1/m) over a box of t ≥ 0 and m > 0: it falls in both, so two corners tell.
 pub fn cos_n_range(t: Interval, m: Interval) -> Interval {
-    let corner = |t: f64, m: f64| {
-        let (t, m) = (Interval::from(t), Interval::from(m));
-        let base = Interval::from(1.0) - t * m;
-        let base = Interval::new(base.lo().max(0.0), base.hi().max(0.0));
-        (base.ln() / m).exp()
-    };
-    Interval::new(corner(t.hi(), m.hi()).lo().max(0.0), corner(t.lo(), m.lo()).hi())
+    let base = |t: f64, m: f64| Interval::from(1.0) - Interval::from(t) * Interval::from(m);
+    let low = Interval::root_below(base(t.hi(), m.hi()).lo(), m.hi());
+    let high = Interval::root_above(base(t.lo(), m.lo()).hi(), m.lo());
+    Interval::new(low, high)
 }
 
 /// Boxes after which a search settles for the enclosure it has.
@@ -60,15 +57,15 @@ fn difference(t: Jet, m: Interval) -> Jet {
     cos_n_jet(t, m) - (Jet::int(1) - t / sixteen).power(16)
 }
 
-/// cosⁿθ as a jet in t at one m: the slope is -(1 - t m)^(1/m - 1).
+/// cosⁿθ as a jet in t at one m: the slope is -(1 - t m)^(1/m - 1), the value over 1 - t m.
 pub(super) fn cos_n_jet(t: Jet, m: Interval) -> Jet {
-    let one = Interval::from(1.0);
-    let end = |t: f64| {
-        let base = one - Interval::from(t) * m;
-        Interval::new(base.lo().max(0.0), base.hi().max(0.0)).pow(one / m - one)
-    };
-    let steepness = Interval::new(end(t.value.hi()).lo(), end(t.value.lo()).hi());
-    Jet { value: cos_n_range(t.value, m), slope: -steepness * t.slope }
+    let value = cos_n_range(t.value, m);
+    let base = |t: f64| Interval::from(1.0) - Interval::from(t) * m;
+    let (first, last) = (base(t.value.lo()), base(t.value.hi()));
+    // It falls in t as well. Where 1 - t m may reach 0 it is at least 0, and at most 1.
+    let least = if last.lo() > 0.0 { (Interval::from(value.lo()) / last).lo().max(0.0) } else { 0.0 };
+    let most = if first.lo() > 0.0 { (Interval::from(value.hi()) / first).hi().min(1.0) } else { 1.0 };
+    Jet { value, slope: -Interval::new(least, most) * t.slope }
 }
 
 /// The range of m = 1/n, rounded outward; exact at powers of two, so that the ends of 16..1024

@@ -6,8 +6,8 @@
 use super::Interval;
 use crate::integral::{Edge, Field};
 
-/// Terms of the exponential series after reduction to |r| ≤ 0.35: 0.35^17/17! < 6e-23.
-const EXP_TERMS: i64 = 17;
+/// Terms of the exponential series after reduction to 0 ≤ r ≤ 0.7: 0.7^18/18! < 3e-19.
+const EXP_TERMS: i64 = 18;
 /// Terms of the series of ln in z² ≤ 0.0295: 0.0295^13 < 2e-20.
 const LN_TERMS: i64 = 13;
 /// Terms of the versine series for y ≤ 3: 3^12/26! < 2e-21.
@@ -31,6 +31,24 @@ impl Interval {
         Interval::new(ln_point(self.lo()).lo(), ln_point(self.hi()).hi())
     }
 
+    /// A lower bound of base^(1/m) for 0 ≤ base ≤ 1 and m > 0; 0 for base ≤ 0.
+    pub(super) fn root_below(base: f64, m: f64) -> f64 {
+        if base <= 0.0 {
+            return 0.0;
+        }
+        let exponent = Interval::from(ln_point(base).lo()) / Interval::from(m);
+        exp_point(exponent.lo()).lo()
+    }
+
+    /// An upper bound of base^(1/m) for 0 ≤ base ≤ 1 and m > 0; 0 for base ≤ 0.
+    pub(super) fn root_above(base: f64, m: f64) -> f64 {
+        if base <= 0.0 {
+            return 0.0;
+        }
+        let exponent = Interval::from(ln_point(base).hi()) / Interval::from(m);
+        exp_point(exponent.hi()).hi()
+    }
+
     /// self^y = e^(y ln self) for self ≥ 0 and y > 0, with 0^y = 0.
     pub fn pow(self, y: Interval) -> Self {
         (y * self.ln()).exp()
@@ -48,7 +66,8 @@ fn exp_point(x: f64) -> Interval {
     if x > 700.0 {
         return Interval::new(1e304, f64::INFINITY); // e^700 = 1.01e304
     }
-    let k = libm::rint(x / core::f64::consts::LN_2);
+    // Rounded down, so that every term is positive; a k one off only makes r a little larger.
+    let k = libm::floor(x / core::f64::consts::LN_2);
     let r = Interval::from(x) - Interval::from(k) * Interval::LN_2;
     // Horner from the last term kept; the tail is below twice the first term left out, as
     // |r|/(EXP_TERMS + 1) < 1/2.

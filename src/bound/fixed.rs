@@ -1,4 +1,4 @@
-//! Fixed-point intervals with 256 fractional bits: for the few numbers that end so close to a
+//! Fixed-point intervals with 128 fractional bits: for the few numbers that end so close to a
 //! printed tie that doubles cannot tell the side.
 
 use super::{Interval, elementary::versine_series};
@@ -7,11 +7,11 @@ use core::ops::{Add, Div, Mul, Sub};
 use dashu_int::{IBig, ops::DivEuclid, ops::SquareRoot};
 use dashu_ratio::RBig;
 
-const BITS: usize = 256;
-/// 2.6^40/82! < 2^-340: below the last bit of a versine series.
-const VERSINE_TERMS: i64 = 40;
+const BITS: usize = 128;
+/// 2.6^20/42! < 2^-142: below the last bit of a versine series.
+const VERSINE_TERMS: i64 = 20;
 
-/// [lo, hi] · 2^-256.
+/// [lo, hi] · 2^-128.
 ///
 /// ```
 /// use bellfit::{bound::Fixed, integral::Field};
@@ -86,12 +86,16 @@ impl Sub for Fixed {
 impl Mul for Fixed {
     type Output = Self;
     fn mul(self, rhs: Self) -> Self {
-        let (lo, hi) = Self::least_and_most([
-            &self.lo * &rhs.lo,
-            &self.lo * &rhs.hi,
-            &self.hi * &rhs.lo,
-            &self.hi * &rhs.hi,
-        ]);
+        let (lo, hi) = if self.lo >= IBig::ZERO && rhs.lo >= IBig::ZERO {
+            (self.lo * rhs.lo, self.hi * rhs.hi) // the common case, at half the price
+        } else {
+            Self::least_and_most([
+                &self.lo * &rhs.lo,
+                &self.lo * &rhs.hi,
+                &self.hi * &rhs.lo,
+                &self.hi * &rhs.hi,
+            ])
+        };
         // Shifting right rounds down; up is down of the negative.
         Fixed { lo: lo >> BITS, hi: -((-hi) >> BITS) }
     }
@@ -103,6 +107,9 @@ impl Div for Fixed {
     /// If the divisor contains 0: the closed forms divide by positive numbers only.
     fn div(self, rhs: Self) -> Self {
         assert!(rhs.lo > IBig::ZERO || rhs.hi < IBig::ZERO, "division by an interval around 0");
+        if self.lo >= IBig::ZERO && rhs.lo > IBig::ZERO {
+            return Fixed { lo: floor_div(self.lo << BITS, &rhs.hi), hi: ceil_div(self.hi << BITS, &rhs.lo) };
+        }
         let ends = [(&self.lo, &rhs.lo), (&self.lo, &rhs.hi), (&self.hi, &rhs.lo), (&self.hi, &rhs.hi)];
         let (lo, _) = Self::least_and_most(ends.map(|(a, b)| floor_div(a << BITS, b)));
         let (_, hi) = Self::least_and_most(ends.map(|(a, b)| ceil_div(a << BITS, b)));
@@ -119,7 +126,7 @@ impl Field for Fixed {
 
 impl Edge for Fixed {
     fn sqrt(&self) -> Self {
-        // √(v 2^-256) = √(v 2^256) 2^-256; the integer root rounds down.
+        // √(v 2^-128) = √(v 2^128) 2^-128; the integer root rounds down.
         let root = |v: &IBig| {
             let clamped = if *v < IBig::ZERO { IBig::ZERO } else { v.clone() };
             IBig::from((clamped << BITS).into_parts().1.sqrt())
@@ -178,11 +185,11 @@ mod tests {
         let square = two.sqrt().power(2);
         let (lo, hi) = square.ends();
         assert!(lo <= RBig::int(2) && RBig::int(2) <= hi);
-        // cos(π/2) = 0, so y versine_ratio(y) = 1 at y = π²/4, to nearly 256 bits.
+        // cos(π/2) = 0, so y versine_ratio(y) = 1 at y = π²/4, to within a few of 128 bits.
         let y = Fixed::half_pi_squared();
         let (lo, hi) = (y.clone() * y.versine_ratio()).ends();
         assert!(lo <= RBig::int(1) && RBig::int(1) <= hi);
-        assert!(hi - lo < super::super::power_of_ten(-70));
+        assert!(hi - lo < super::super::power_of_ten(-35));
     }
 
     #[test]

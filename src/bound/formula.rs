@@ -63,6 +63,16 @@ impl Formula {
         Formula { numerator: numerator.without_pi(shared), denominator: self.denominator.without_pi(shared) }
     }
 
+    /// The function n.
+    pub fn n() -> Self {
+        Self::whole(Polynomial::n())
+    }
+
+    /// The function h = 2^(-n/2).
+    pub fn h() -> Self {
+        Self::whole(Polynomial::h())
+    }
+
     fn constant(value: RBig) -> Self {
         Self::whole(Polynomial::constant(value))
     }
@@ -85,6 +95,40 @@ impl Formula {
     /// The value if it does not depend on n and has no π.
     fn as_constant(&self) -> Option<RBig> {
         Some(self.numerator.as_constant()? / self.denominator.as_constant()?)
+    }
+}
+
+impl Field for Formula {
+    fn int(value: i64) -> Self {
+        Self::constant(RBig::int(value))
+    }
+}
+
+impl core::ops::Add for Formula {
+    type Output = Self;
+    fn add(self, rhs: Self) -> Self {
+        self.plus(&rhs)
+    }
+}
+
+impl core::ops::Sub for Formula {
+    type Output = Self;
+    fn sub(self, rhs: Self) -> Self {
+        self.plus(&rhs.times(&Self::int(-1)))
+    }
+}
+
+impl core::ops::Mul for Formula {
+    type Output = Self;
+    fn mul(self, rhs: Self) -> Self {
+        self.times(&rhs)
+    }
+}
+
+impl core::ops::Div for Formula {
+    type Output = Self;
+    fn div(self, rhs: Self) -> Self {
+        self.times(&rhs.inverse())
     }
 }
 

@@ -159,6 +159,10 @@ impl Sub for Interval {
 impl Mul for Interval {
     type Output = Self;
     fn mul(self, rhs: Self) -> Self {
+        // The common case, without the search for the extreme product; 0 × ∞ fails the test on hi.
+        if self.lo >= 0.0 && rhs.lo >= 0.0 && self.hi < f64::INFINITY && rhs.hi < f64::INFINITY {
+            return Interval { lo: down(self.lo * rhs.lo), hi: up(self.hi * rhs.hi) };
+        }
         let products = [self.lo * rhs.lo, self.lo * rhs.hi, self.hi * rhs.lo, self.hi * rhs.hi];
         if products.iter().any(|p| p.is_nan()) {
             return Interval::WHOLE; // 0 × ∞
@@ -175,6 +179,9 @@ impl Mul for Interval {
 impl Div for Interval {
     type Output = Self;
     fn div(self, rhs: Self) -> Self {
+        if self.lo >= 0.0 && rhs.lo > 0.0 && self.hi < f64::INFINITY && rhs.hi < f64::INFINITY {
+            return Interval { lo: down(self.lo / rhs.hi), hi: up(self.hi / rhs.lo) };
+        }
         if rhs.contains(0.0) {
             return Interval::WHOLE;
         }

@@ -2,7 +2,7 @@
 //! rounding.
 //!
 //! A fit can end within 1e-16 of a printed tie (1.0625 for Phong: is that 1.062 or 1.063?), so the
-//! normal equations are solved in 256-bit fixed-point intervals, and exactly where the data are a
+//! normal equations are solved in 128-bit fixed-point intervals, and exactly where the data are a
 //! line.
 
 use super::{FitError, Form, Objective, Problem};

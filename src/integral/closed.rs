@@ -29,7 +29,7 @@ const POWER: i64 = 16;
 /// ```
 pub fn scaled_closed_form<T: Edge>(case: Case, m: &T) -> T {
     match case.lobe {
-        Lobe::CosN => scaled_cos_n(case.model, m),
+        Lobe::CosN => scaled_cos_n(case.model, m, &m.half_power()),
         Lobe::Cs16 => {
             let base = T::int(1) - scaled_versine(case.model, case.limit, m) / T::int(POWER);
             scaled_bell(case.model, m, &base)
@@ -96,18 +96,16 @@ pub fn scaled_bell<T: Field>(model: Model, m: &T, base: &T) -> T {
     T::int(POWER) * integral
 }
 
-/// n Int(n) of cosⁿ over the hemisphere: 1/(1 + m), 1/(1 + 2 m), and with h = 2^(-n/2)
+/// n Int(n) of cosⁿ over the hemisphere, with h = 2^(-n/2): 1/(1 + m), 1/(1 + 2 m),
 /// (4 - 2 h)/(1 + 2 m) and 4 (1 + h m)/((1 + 2 m)(1 + 4 m)).
-fn scaled_cos_n<T: Edge>(model: Model, m: &T) -> T {
+pub fn scaled_cos_n<T: Field>(model: Model, m: &T, h: &T) -> T {
     let plus = |k: i64| T::int(1) + T::int(k) * m.clone();
     match (model.angle(), model.convention()) {
         (LobeAngle::Full, Convention::Rdf | Convention::Ndf) => T::int(1) / plus(1),
         (LobeAngle::Full, Convention::RdfCosine | Convention::Heightfield) => T::int(1) / plus(2),
-        (LobeAngle::Half, Convention::Rdf | Convention::Ndf) => {
-            (T::int(4) - T::int(2) * m.half_power()) / plus(2)
-        }
+        (LobeAngle::Half, Convention::Rdf | Convention::Ndf) => (T::int(4) - T::int(2) * h.clone()) / plus(2),
         (LobeAngle::Half, Convention::RdfCosine | Convention::Heightfield) => {
-            T::int(4) * (T::int(1) + m.half_power() * m.clone()) / (plus(2) * plus(4))
+            T::int(4) * (T::int(1) + h.clone() * m.clone()) / (plus(2) * plus(4))
         }
     }
 }

@@ -9,7 +9,7 @@ mod gauss;
 mod limit;
 mod routes;
 
-pub use closed::{closed_form, scaled_bell, scaled_closed_form, scaled_versine};
+pub use closed::{closed_form, scaled_bell, scaled_closed_form, scaled_cos_n, scaled_versine};
 pub use exponential::{Estimate, double_exponential};
 pub use field::{Edge, Field};
 pub use gauss::{GaussLegendre, GaussTable, gauss_legendre};

@@ -1,0 +1,2 @@
+//! Tables, plots and the report.
+pub mod chart;

@@ -1,0 +1,83 @@
+//! The minimum of Δ(n, θ) = cosⁿθ - cs_16(n, θ) is 0 for every real n ≥ 16, and how that is proved.
+//!
+//! With x = 1 - cos θ in [0, 1] and r = n/16:
+//!
+//! 1. r ≥ 1, as n ≥ 16.
+//! 2. Bernoulli: (1 - x)^r ≥ 1 - r x. The difference g(x) is 0 at x = 0 and g'(x) =
+//!    r (1 - (1 - x)^(r - 1)) ≥ 0, because (1 - x)^(r - 1) ≤ 1 for r ≥ 1.
+//! 3. Up to the zero of (1) the right side is not negative, so its 16th power keeps the order:
+//!    cosⁿθ = ((1 - x)^r)^16 ≥ (1 - r x)^16 = cs_16.
+//! 4. A cut beyond the zero lets (r x - 1)^16 in. Between zero and cut (1 - x)^r falls and r x - 1
+//!    rises, so it is enough that (1 - x)^r > r x - 1 at the cut, for every n: shown by branch and
+//!    bound in 1/n. Behind the cut Δ = cosⁿθ ≥ 0.
+//! 5. Δ(n, 0) = 1 - 1 = 0, so the minimum is 0, at θ = 0 for every n.
+
+use crate::bound::{Interval, cut_range, infimum};
+use crate::integral::{Field, Limit};
+
+/// The steps of the proof, as they were checked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MinimumProof {
+    /// One line a step.
+    pub steps: Vec<String>,
+    /// Whether every step holds.
+    pub holds: bool,
+}
+
+/// Checks every step for n in from..=to (every real n of it) and the given cut.
+///
+/// ```
+/// use bellfit::{integral::Limit, verdict::prove_minimum};
+/// assert!(prove_minimum(Limit::Paper, 16, 1024).holds);
+/// assert!(!prove_minimum(Limit::Paper, 10, 1024).holds); // below 16 the lobe lies above cosⁿ
+/// ```
+pub fn prove_minimum(cut: Limit, from: u32, to: u32) -> MinimumProof {
+    let mut proof = MinimumProof { steps: vec![], holds: true };
+    let mut step = |holds: bool, text: String| {
+        proof.holds &= holds;
+        proof.steps.push(format!("{}: {text}", if holds { "holds" } else { "fails" }));
+    };
+    let n = Interval::new(f64::from(from), f64::from(to));
+    let r = n / Interval::from(16.0);
+    // 16/16 is exact, but the division rounds outward; the premise is n ≥ 16 itself.
+    step(from >= 16, format!("r = n/16 ≥ 1 for n ≥ {from}"));
+    if from < 16 {
+        return proof;
+    }
+    // Any base in (0, 1] and exponent ≥ 0: e^(exponent · ln base) with a product ≤ 0.
+    let logarithm = Interval::new(f64::MIN_POSITIVE, 1.0).ln();
+    step(
+        from >= 16 && r.hi() < f64::INFINITY && logarithm.hi() <= f64::MIN_POSITIVE,
+        "0 ≤ (1 - x)^(r - 1) ≤ 1 on [0, 1], so (1 - x)^r ≥ 1 - r x (Bernoulli)".to_owned(),
+    );
+    step(true, "up to the zero both sides are ≥ 0 and keep their order under the 16th power".to_owned());
+    let margin = |[m]: &[Interval; 1]| {
+        let t = cut_range(cut, *m);
+        let base = Interval::from(1.0) - t * *m;
+        let base = Interval::new(base.lo().max(0.0), base.hi().max(0.0));
+        let root = (base.ln() / (Interval::int(16) * *m)).exp();
+        root - (t / Interval::int(16) - Interval::int(1))
+    };
+    let m = Interval::new(1.0 / f64::from(to), (Interval::from(1.0) / Interval::from(f64::from(from))).hi());
+    let beyond = match cut {
+        // The cut is the zero itself, or before it: nothing rises again.
+        Limit::ExactZero | Limit::Support | Limit::Card => true,
+        Limit::Paper => infimum(margin, [m], 1e-3, 20_000).value.lo() > 0.0,
+    };
+    step(beyond, format!("at the cut ({}) cosⁿθ exceeds what (1) has risen to, for every n", cut.id()));
+    step(true, "Δ(n, 0) = 1 - 1 = 0".to_owned());
+    proof
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_cut_is_proved_from_16_on_and_none_below() {
+        for cut in Limit::ALL {
+            assert!(prove_minimum(cut, 16, 1024).holds, "{cut:?}");
+            assert!(!prove_minimum(cut, 15, 1024).holds, "{cut:?}");
+        }
+    }
+}

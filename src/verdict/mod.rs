@@ -1,0 +1,15 @@
+//! The only place where a claim meets a computed value.
+
+mod algebra;
+mod expected;
+mod fits;
+mod judge;
+mod judgement;
+mod lobes;
+mod minimum;
+mod residuals;
+
+pub use expected::{EXPECTED, Expectation, Expectations, ExpectedError};
+pub use judge::Judge;
+pub use judgement::{Evidence, Judgement, Verdict};
+pub use minimum::{MinimumProof, prove_minimum};
