@@ -32,7 +32,7 @@ impl Extremes {
         Extreme { value: max.max(min), n }
     }
 
-    fn include(&mut self, value: Interval, n: f64) {
+    pub(super) fn include(&mut self, value: Interval, n: f64) {
         if value.lo() > self.max.value.hi() {
             self.max.n = n;
         }
@@ -135,11 +135,11 @@ impl Residual {
     }
 
     /// The extremes over every real n in [from, to], by branch and bound in m = 1/n with
-    /// first derivatives, to about six digits of the larger of them.
+    /// first derivatives, to about six digits of the larger of them, and never finer than 1e-9.
     pub fn over_reals(&self, from: f64, to: f64) -> Extremes {
         let m = reciprocal(Interval::new(from, to));
         let size = self.at(from).abs().hi().max(self.at(to).abs().hi());
-        let tolerance = (1e-6 * size).max(1e-13);
+        let tolerance = (1e-6 * size).max(1e-9);
         let search = |sign: f64| {
             let oriented = |[m]: &[Interval; 1]| {
                 let found = range(|m| self.jets.residual(self.case, &m), *m);

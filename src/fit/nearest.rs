@@ -15,10 +15,10 @@ pub struct Nearest {
 }
 
 /// The line with the fewest digits changed whose |residual| is at most `bound` for every integer
-/// of the range, b kept if it can be, and among those the smallest |residual|; `None` if changing
-/// all of them does not help.
+/// of the range, b kept if it can be, and among those the smallest |residual|; `None` if that
+/// does not help.
 ///
-/// Up to three digits of a and one of b are tried; candidates are ranked in doubles and the one
+/// Up to four digits are tried, at most three of them b's; candidates are ranked in doubles and the one
 /// returned is certified.
 pub fn nearest(problem: &Problem, printed: &Line, bound: f64) -> Option<Nearest> {
     let columns: Vec<(f64, f64)> = problem.columns().collect();
@@ -32,7 +32,9 @@ pub fn nearest(problem: &Problem, printed: &Line, bound: f64) -> Option<Nearest>
         }
         worst
     };
-    for (in_b, in_a) in [(0, 0), (0, 1), (1, 0), (0, 2), (1, 1), (0, 3), (1, 2), (1, 3)] {
+    // By the number of digits changed, then by how many of them are b's.
+    let ways = (0..=4).flat_map(|total| (0..=total.min(3)).map(move |in_b| (in_b, total - in_b)));
+    for (in_b, in_a) in ways {
         let mut ranked: Vec<(f64, String, String)> = Vec::new();
         for b in variants(printed.b(), in_b) {
             for a in variants(printed.a(), in_a) {

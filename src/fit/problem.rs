@@ -66,8 +66,8 @@ impl Form {
 /// Why a fit cannot be made.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum FitError {
-    /// The range of n is empty, reversed or outside 1..=1000000.
-    #[error("n = {from}..{to}: a range A..B needs 1 ≤ A ≤ B ≤ 1000000")]
+    /// The range of n is empty, reversed or outside 1..=65536.
+    #[error("n = {from}..{to}: a range A..B needs 1 ≤ A ≤ B ≤ 65536")]
     Range {
         /// First n.
         from: u32,
@@ -133,7 +133,7 @@ impl Problem {
     /// # Errors
     /// [`FitError::Range`] for an empty, reversed or too large range.
     pub fn new(case: Case, from: u32, to: u32) -> Result<Self, FitError> {
-        if from < 1 || to < from || to > 1_000_000 {
+        if from < 1 || to < from || to > 65_536 {
             return Err(FitError::Range { from, to });
         }
         let divisor = match case.model.angle() {

@@ -322,6 +322,7 @@ impl Fields<'_> {
             "factor-residual" => Kind::FactorResidual {
                 case: self.case()?,
                 factor: self.formula("factor")?,
+                text: self.needed("factor")?.0,
                 n: self.range()?,
                 over: self.over()?,
                 statistic: self.statistic()?,
@@ -357,9 +358,11 @@ impl Fields<'_> {
                 Kind::CutEffect { cut: self.limit("cut")?, n: self.range_from_16()?, comparison }
             }
             "lobe-zero" => Kind::LobeZero { zero: self.formula("zero")? },
-            "factor-identity" => {
-                Kind::FactorIdentity { model: self.model("model")?, factor: self.formula("factor")? }
-            }
+            "factor-identity" => Kind::FactorIdentity {
+                model: self.model("model")?,
+                factor: self.formula("factor")?,
+                text: self.needed("factor")?.0,
+            },
             "factor-inequality" => {
                 let (from, _) = self.range()?;
                 Kind::FactorInequality { lower: self.formula("lower")?, upper: self.formula("upper")?, from }
@@ -441,14 +444,14 @@ impl Fields<'_> {
     }
 }
 
-/// Reads a range A..B of whole n, ends included, 1 ≤ A ≤ B ≤ 1000000.
+/// Reads a range A..B of whole n, ends included, 1 ≤ A ≤ B ≤ 65536.
 ///
 /// # Errors
 /// One line that names the text and the domain.
 pub fn parse_range(text: &str) -> Result<(u32, u32), String> {
-    let problem = || format!("n = \"{text}\": a range A..B of whole numbers needs 1 ≤ A ≤ B ≤ 1000000");
+    let problem = || format!("n = \"{text}\": a range A..B of whole numbers needs 1 ≤ A ≤ B ≤ 65536");
     let (from, to) = text.split_once("..").ok_or_else(problem)?;
     let read = |end: &str| end.trim().parse::<u32>().map_err(|_| problem());
     let (from, to) = (read(from)?, read(to)?);
-    if (1..=to).contains(&from) && to <= 1_000_000 { Ok((from, to)) } else { Err(problem()) }
+    if (1..=to).contains(&from) && to <= 65_536 { Ok((from, to)) } else { Err(problem()) }
 }

@@ -69,6 +69,8 @@ pub enum Kind {
         case: Case,
         /// coef(n).
         factor: Formula,
+        /// coef(n) as the file writes it.
+        text: String,
         /// First and last n.
         n: (u32, u32),
         /// Integers or reals.
@@ -133,6 +135,8 @@ pub enum Kind {
         model: Model,
         /// coef(n).
         factor: Formula,
+        /// coef(n) as the file writes it.
+        text: String,
     },
     /// lower(n) < upper(n) for every real n from some n on.
     FactorInequality {

@@ -12,3 +12,6 @@ pub use printed::Printed;
 
 /// The lobe paper's claims.
 pub const LOBE_PAPER: &str = include_str!("claims.toml");
+
+/// A commented claims file to start from.
+pub const EXAMPLE: &str = include_str!("example.toml");

@@ -1,2 +1,20 @@
-//! Tables, plots and the report.
+//! Tables, plots and the report, all made from one [`Study`]: whatever is written here was computed
+//! elsewhere.
+
 pub mod chart;
+
+mod artifacts;
+mod constants;
+mod markdown;
+mod number;
+mod readme;
+mod study;
+mod summary;
+mod table_one;
+mod tables;
+mod terminal;
+
+pub use artifacts::{ArtifactError, Artifacts};
+pub use study::{NearestRow, PrintedFactor, Study, StudyError, SupremumRow};
+pub use tables::judgements_json;
+pub use terminal::{fit_json, fit_lines, judgement_lines, verdict_lines};

@@ -65,6 +65,8 @@ struct RawExpect {
     claim: String,
     verdict: Verdict,
     reason: String,
+    #[serde(default)]
+    vacuous: bool,
     readings: Vec<String>,
 }
 
@@ -75,6 +77,9 @@ pub struct Expectation {
     pub verdict: Verdict,
     /// Why.
     pub reason: String,
+    /// Whether it holds for want of anything to fail it, as a negative number is below a bound on
+    /// its size.
+    pub vacuous: bool,
 }
 
 /// Expected verdicts by claim and reading.
@@ -95,9 +100,9 @@ impl Expectations {
             return Err(ExpectedError::Unreadable(format!("version {}: this program reads 1", raw.version)));
         }
         let mut by_reading = BTreeMap::new();
-        for RawExpect { claim, verdict, reason, readings } in raw.expect {
+        for RawExpect { claim, verdict, reason, vacuous, readings } in raw.expect {
             for reading in readings {
-                let expectation = Expectation { verdict, reason: reason.clone() };
+                let expectation = Expectation { verdict, reason: reason.clone(), vacuous };
                 if by_reading.insert((claim.clone(), reading.clone()), expectation).is_some() {
                     return Err(ExpectedError::Doubled(claim, reading));
                 }

@@ -75,7 +75,7 @@ impl Judge {
                 verdict: Verdict::Definition,
                 witness: place.clone(),
             },
-            Kind::FactorResidual { case, factor, n, over, statistic, relation, printed } => {
+            Kind::FactorResidual { case, factor, n, over, statistic, relation, printed, .. } => {
                 self.factor_residual((*case, factor, *n, *over), *statistic, *relation, printed.as_ref())
             }
             Kind::Energy { case, factor, n, over } => self.energy(*case, factor, *n, *over),
@@ -85,7 +85,7 @@ impl Judge {
             Kind::Cut { form, n, printed } => lobes::cut(*form, *n, printed),
             Kind::CutEffect { cut, n, comparison } => self.cut_effect(*cut, *n, *comparison),
             Kind::LobeZero { zero } => algebra::lobe_zero(zero),
-            Kind::FactorIdentity { model, factor } => algebra::factor_identity(*model, factor),
+            Kind::FactorIdentity { model, factor, .. } => algebra::factor_identity(*model, factor),
             Kind::FactorInequality { lower, upper, from } => algebra::factor_inequality(lower, upper, *from),
             Kind::SameIntegral { model, other } => algebra::same_integral(*model, *other),
             Kind::Fit { case, objective, form, n, a, b } => {

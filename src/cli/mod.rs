@@ -1,0 +1,75 @@
+//! The command line: one file a subcommand, no numerics.
+
+mod fit;
+mod reproduce;
+mod verify;
+
+use anyhow::Result;
+use clap::{Parser, Subcommand};
+use std::io::Write;
+
+/// What a run came to, as an exit code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// Everything is as expected: 0.
+    AsExpected,
+    /// A verdict, bound or regenerated file differs: 1.
+    Differs,
+}
+
+/// Verifies, refits and improves bell-shaped kernels: specular lobes and Gaussian pixels.
+///
+/// Without a subcommand this is `bellfit reproduce`.
+#[derive(Debug, Parser)]
+#[command(
+    name = "bellfit",
+    version,
+    args_conflicts_with_subcommands = true,
+    after_help = "Examples:
+  bellfit                            regenerate fits/ and reports/, print the verdicts
+  bellfit --check                    compare them with what would be generated, write nothing
+  bellfit verify my-claims.toml      judge your own claims
+  bellfit fit --model blinn-phong    the best linear factor for a model
+
+Exit code: 0 as expected, 1 a verdict, bound or file differs, 2 bad input or usage."
+)]
+pub struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    reproduce: reproduce::Arguments,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Reproduce(reproduce::Arguments),
+    Verify(verify::Arguments),
+    Fit(fit::Arguments),
+}
+
+impl Cli {
+    /// Runs what was asked for.
+    ///
+    /// # Errors
+    /// One line that names the value and the domain, for bad input and for files that cannot be
+    /// read or written.
+    pub fn run(self) -> Result<Outcome> {
+        match self.command {
+            None => reproduce::run(&self.reproduce),
+            Some(Command::Reproduce(arguments)) => reproduce::run(&arguments),
+            Some(Command::Verify(arguments)) => verify::run(&arguments),
+            Some(Command::Fit(arguments)) => fit::run(&arguments),
+        }
+    }
+}
+
+/// Prints to stdout; a reader that has gone away (a closed pipe) is no error.
+fn print(text: &str) -> Result<()> {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(anyhow::anyhow!("standard output: {error}"))
+        }
+        _ => Ok(()),
+    }
+}

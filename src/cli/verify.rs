@@ -1,0 +1,48 @@
+//! `bellfit verify`.
+
+use super::{Outcome, print};
+use crate::paper::{ClaimsFile, EXAMPLE};
+use crate::report::{judgement_lines, judgements_json};
+use crate::verdict::{Judge, Verdict};
+use anyhow::{Context, Result, anyhow};
+use clap::Args;
+use std::path::PathBuf;
+
+/// Judge a claims file of your own: every reading gets a verdict with its witness.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  bellfit verify --example > my-claims.toml
+  bellfit verify my-claims.toml
+  bellfit verify my-claims.toml --json
+
+Exit code: 0 if every reading holds (or is a definition), 1 if one does not, 2 if the file cannot be read.")]
+pub struct Arguments {
+    /// The claims file (TOML, version = 1).
+    #[arg(value_name = "FILE", required_unless_present = "example")]
+    file: Option<PathBuf>,
+    /// Print the verdicts as JSON.
+    #[arg(long)]
+    json: bool,
+    /// Print a commented claims file to start from.
+    #[arg(long, conflicts_with_all = ["file", "json"])]
+    example: bool,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<Outcome> {
+    let Some(path) = &arguments.file else {
+        print(EXAMPLE)?;
+        return Ok(Outcome::AsExpected);
+    };
+    let name = path.display();
+    if path.is_dir() {
+        return Err(anyhow!("{name}: a folder, not a claims file"));
+    }
+    let bytes = std::fs::read(path).with_context(|| name.to_string())?;
+    let text = String::from_utf8(bytes).map_err(|_| anyhow!("{name}: not UTF-8 text"))?;
+    let claims = ClaimsFile::parse(&text).map_err(|error| anyhow!("{name}: {error}"))?;
+    let judgements = Judge::default().judge(&claims).map_err(|error| anyhow!("{name}: {error}"))?;
+    let output = if arguments.json { judgements_json(&judgements)? } else { judgement_lines(&judgements) };
+    print(&output)?;
+    let fails = judgements.iter().any(|j| matches!(j.verdict, Verdict::Refuted | Verdict::Undecided));
+    Ok(if fails { Outcome::Differs } else { Outcome::AsExpected })
+}

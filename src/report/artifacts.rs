@@ -1,0 +1,181 @@
+//! The files of a run: made in memory, then compared or written whole.
+
+use super::study::Study;
+use super::{chart, constants, markdown, readme, table_one, tables};
+use crate::kernel::model::Model;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use thiserror::Error;
+
+/// What can go wrong between a study and its files.
+#[derive(Debug, Error)]
+pub enum ArtifactError {
+    /// A table could not be formatted.
+    #[error("table: {0}")]
+    Table(String),
+    /// A plot could not be drawn.
+    #[error("plot: {0}")]
+    Plot(#[from] chart::ChartError),
+    /// A file could not be read or written.
+    #[error("{path}: {reason}")]
+    File {
+        /// Which file.
+        path: String,
+        /// What the system said.
+        reason: String,
+    },
+    /// The README has no place for the table.
+    #[error("README.md: {0}")]
+    Readme(String),
+}
+
+impl From<csv::Error> for ArtifactError {
+    fn from(error: csv::Error) -> Self {
+        ArtifactError::Table(error.to_string())
+    }
+}
+
+/// Generated files by their path relative to the output folder.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Artifacts {
+    files: BTreeMap<String, Vec<u8>>,
+}
+
+/// Where the adopted constants stand, relative to the crate.
+const CONSTANTS: &str = "src/kernel/constants.rs";
+
+impl Artifacts {
+    /// Everything under fits/ and reports/.
+    ///
+    /// # Errors
+    /// [`ArtifactError`] if a table or plot cannot be made.
+    pub fn generate(study: &Study) -> Result<Self, ArtifactError> {
+        let mut files = BTreeMap::new();
+        for model in Model::ALL {
+            files.insert(format!("fits/integrals/{}.csv", model.id()), tables::integrals(study, model)?);
+        }
+        files.insert("fits/coefficients.csv".to_owned(), tables::coefficients(study)?);
+        files.insert("fits/nearest.csv".to_owned(), tables::nearest(study)?);
+        files.insert("fits/suprema.csv".to_owned(), tables::suprema(study)?);
+        files.insert("fits/table1.csv".to_owned(), table_one::csv(study)?);
+        files.insert("reports/table1.md".to_owned(), table_one::markdown(study).into_bytes());
+        files.insert("reports/table1.tex".to_owned(), table_one::latex(study).into_bytes());
+        files.insert("reports/verdicts.csv".to_owned(), tables::verdicts_csv(study)?);
+        files.insert("reports/verdicts.json".to_owned(), tables::verdicts_json(study)?);
+        files.insert("reports/report.md".to_owned(), markdown::report(study).into_bytes());
+        Ok(Artifacts { files })
+    }
+
+    /// Adds README.md with the verdict table spliced in, where `root` has one with the markers for it.
+    ///
+    /// # Errors
+    /// [`ArtifactError`] if it cannot be read or has lost its end marker.
+    pub fn splice_readme(&mut self, study: &Study, root: &Path) -> Result<(), ArtifactError> {
+        let path = root.join("README.md");
+        match std::fs::read_to_string(&path) {
+            Ok(text) if readme::wants_table(&text) => {
+                let spliced = readme::splice(&text, &readme::table(study))?;
+                self.files.insert("README.md".to_owned(), spliced.into_bytes());
+                Ok(())
+            }
+            Ok(_) => Ok(()),
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(()),
+            Err(error) => Err(file_error(&path, &error)),
+        }
+    }
+
+    /// The kernels' constants as this study would adopt them, if `root` is this crate and has others.
+    ///
+    /// # Errors
+    /// [`ArtifactError::Table`] if a model has no constants.
+    pub fn constants(study: &Study, root: &Path) -> Result<Self, ArtifactError> {
+        let source = constants::source(study);
+        let source = source.ok_or_else(|| ArtifactError::Table("a model has no constants".to_owned()))?;
+        let mut files = BTreeMap::new();
+        if std::fs::read_to_string(root.join(CONSTANTS)).is_ok_and(|found| found.contains(constants::MARK)) {
+            files.insert(CONSTANTS.to_owned(), source.into_bytes());
+        }
+        Ok(Artifacts { files })
+    }
+
+    /// The files, by path.
+    pub fn files(&self) -> impl Iterator<Item = (&str, &[u8])> {
+        self.files.iter().map(|(path, bytes)| (path.as_str(), bytes.as_slice()))
+    }
+
+    /// Adds or replaces one file.
+    pub fn insert(&mut self, path: &str, bytes: Vec<u8>) {
+        self.files.insert(path.to_owned(), bytes);
+    }
+
+    /// Every path whose file under `root` is missing or differs, with what is the matter.
+    pub fn differences(&self, root: &Path) -> Vec<String> {
+        let differs = |(path, bytes): (&String, &Vec<u8>)| match std::fs::read(root.join(path)) {
+            Ok(found) if found == *bytes => None,
+            Ok(found) => {
+                let same = found.iter().zip(bytes.iter()).take_while(|(a, b)| a == b).count();
+                let line = bytes[..same].iter().filter(|b| **b == b'\n').count() + 1;
+                Some(format!("{path} differs, first at line {line}"))
+            }
+            Err(error) => Some(format!("{path}: {}", reason(&error))),
+        };
+        self.files.iter().filter_map(differs).collect()
+    }
+
+    /// Writes every file that is not already as it should be: first all of them beside their places,
+    /// then, when nothing can be missing any more, into them.
+    ///
+    /// # Errors
+    /// [`ArtifactError::File`]; nothing that stood before is lost, and no half file is left.
+    pub fn write(&self, root: &Path) -> Result<usize, ArtifactError> {
+        let mut staged: Vec<(PathBuf, PathBuf)> = Vec::new();
+        let result = self.stage(root, &mut staged);
+        let moved = result.and_then(|()| {
+            for (from, to) in &staged {
+                std::fs::rename(from, to).map_err(|e| file_error(to, &e))?;
+            }
+            Ok(staged.len())
+        });
+        if moved.is_err() {
+            for (from, _) in &staged {
+                // What was renamed is gone from here already; the rest must not stay.
+                let _ = std::fs::remove_file(from);
+            }
+        }
+        moved
+    }
+
+    fn stage(&self, root: &Path, staged: &mut Vec<(PathBuf, PathBuf)>) -> Result<(), ArtifactError> {
+        for (path, bytes) in &self.files {
+            let to = root.join(path);
+            if std::fs::read(&to).is_ok_and(|found| found == *bytes) {
+                continue;
+            }
+            if to.is_dir() {
+                return Err(ArtifactError::File {
+                    path: to.display().to_string(),
+                    reason: "is a folder".to_owned(),
+                });
+            }
+            if let Some(parent) = to.parent() {
+                std::fs::create_dir_all(parent).map_err(|e| file_error(parent, &e))?;
+            }
+            let mut name = to.file_name().unwrap_or_default().to_owned();
+            name.push(".tmp");
+            let beside = to.with_file_name(name);
+            staged.push((beside.clone(), to));
+            std::fs::write(&beside, bytes).map_err(|e| file_error(&beside, &e))?;
+        }
+        Ok(())
+    }
+}
+
+fn file_error(path: &Path, error: &std::io::Error) -> ArtifactError {
+    ArtifactError::File { path: path.display().to_string(), reason: reason(error) }
+}
+
+/// The system's words without its number, in one line.
+fn reason(error: &std::io::Error) -> String {
+    let text = error.to_string();
+    text.split(" (os error").next().unwrap_or(&text).to_lowercase()
+}

@@ -1,0 +1,258 @@
+//! `reports/report.md`.
+
+use super::number::{enclosure, short};
+use super::readme::cell;
+use super::study::{NearestRow, Study, case};
+use super::summary::{Group, Summary, summaries};
+use super::table_one;
+use crate::bound::Interval;
+use crate::fit::Objective;
+use crate::integral::{Limit, Lobe};
+use crate::kernel::model::Model;
+use crate::paper::Kind;
+use crate::verdict::{Verdict, prove_minimum};
+use std::fmt::Write;
+
+/// Plots in the report: file stem and what to see in it.
+pub(super) const PLOTS: [(&str, &str); 9] = [
+    ("lobes-128", "cosⁿ and cs_16 at n = 128, with the exact zero, 6/√n and √(6/n)"),
+    ("difference-curves", "Δ = cosⁿθ - cs_16 for several n, and what a cut at √(6/n) does to it"),
+    ("difference-map", "Δ over n and 20·θ, the paper's axes"),
+    ("cuts", "the cut of (1): exact, 6/√n and √(6/n)"),
+    ("residuals", "residuals of the printed, refitted and minimax factors, with the printed bounds"),
+    ("integrals", "n·Int(n) by model, lobe and limit"),
+    ("gaussians", "distance of cosⁿ from its two Gaussians, over n"),
+    ("gaussian-curves", "Gaussian - cosⁿ at two n"),
+    ("bells", "e^-t - (1 - t/K)^K for K = 4, 8, 16, 32"),
+];
+
+/// The whole report.
+pub(super) fn report(study: &Study) -> String {
+    let mut text = String::from(
+        "# The lobe paper, verified\n\n\
+         Written by `bellfit` (`cargo run --release`); every number here is computed, and stands with all its \
+         digits in the files named beside it. *Proved* and *refuted* rest on enclosures or exact arithmetic, \
+         over what the row says: the integers 16..1024, every real n of that range, every θ in [0, π/2].\n\n",
+    );
+    cut(study, &mut text);
+    verdicts(study, &mut text);
+    text.push_str("## Table 1, printed and recomputed\n\n");
+    text.push_str("`fits/table1.csv`, `reports/table1.md`, `reports/table1.tex`.\n\n");
+    text.push_str(&table_one::markdown(study));
+    fits(study, &mut text);
+    nearest(study, &mut text);
+    minimum(&mut text);
+    suprema(study, &mut text);
+    text.push_str("\n## Plots\n\nEach also as SVG beside it.\n");
+    for (stem, what) in PLOTS {
+        let _ = write!(text, "\n![{what}](plots/{stem}.png)\n\n*{what}.*\n");
+    }
+    details(study, &mut text);
+    text
+}
+
+/// The brief's cr_n ≈ √(6/n): whether it holds, what it does, what holds.
+fn cut(study: &Study, text: &mut String) {
+    text.push_str("## Is cr_n ≈ √(6/n)?\n\n");
+    let of_cut = |kind: &Kind| matches!(kind, Kind::Cut { .. });
+    for judgement in &study.judgements {
+        let claim = study.claims.claims.iter().find(|c| c.id == judgement.claim);
+        let reading = claim.and_then(|c| c.readings.iter().find(|r| r.id == judgement.reading));
+        if reading.is_some_and(|r| of_cut(&r.kind)) {
+            let word = if judgement.verdict == Verdict::Proved { "Yes" } else { "No" };
+            let _ = writeln!(
+                text,
+                "- **cr_n ≈ {}: {word}** ({}). {}.",
+                judgement.reading,
+                judgement.verdict.id(),
+                capital(&judgement.witness)
+            );
+        }
+    }
+    text.push_str(
+        "\nWhat each limit keeps of the lobe's whole integral, least and most over the integers 16..1024 \
+         (`fits/integrals/*.csv`):\n\n| model | √(6/n) keeps | 6/√n keeps | exact zero in θ keeps |\n|---|---|---|---|\n",
+    );
+    for model in Model::ALL {
+        let share = |limit| {
+            let part = study.integral(case(model, Lobe::Cs16, limit));
+            let whole = study.integral(case(model, Lobe::Cs16, Limit::Support));
+            let share = part.zip(whole).and_then(|(p, w)| p.share_of(w));
+            share.map_or(String::new(), |s| {
+                let percent = |v: Interval| format!("{:.2} %", 100.0 * v.mid());
+                let (low, high) = (percent(s.min.value), percent(s.max.value));
+                if low == high { low } else { format!("{low} to {high}") }
+            })
+        };
+        let _ = writeln!(
+            text,
+            "| {} | {} | {} | {} |",
+            model.title(),
+            share(Limit::Card),
+            share(Limit::Paper),
+            share(Limit::ExactZero)
+        );
+    }
+    text.push_str(
+        "\nFor the lobes in θ/2 any limit in θ taken from the lobe's own zero stops half way: the true support is \
+         twice as wide, cut by the hemisphere below n = 54.6.\n\n",
+    );
+}
+
+fn capital(text: &str) -> String {
+    let mut characters = text.chars();
+    characters
+        .next()
+        .map_or(String::new(), |first| first.to_uppercase().collect::<String>() + characters.as_str())
+}
+
+fn verdicts(study: &Study, text: &mut String) {
+    text.push_str("## Verdicts\n\n`reports/verdicts.csv`, `reports/verdicts.json`: one row a reading.\n\n");
+    text.push_str("| claim | as stated | verdict | readings | computed | why |\n|---|---|---|---|---|---|\n");
+    for Summary { claim, groups } in &summaries(study) {
+        for (i, group) in groups.iter().enumerate() {
+            let (id, stated) =
+                if i == 0 { (claim.id.as_str(), cell(&claim.text)) } else { ("", String::new()) };
+            let _ = writeln!(
+                text,
+                "| {id} | {stated} | **{}** | {} | {} | {} |",
+                group.verdict.id(),
+                cell(&readings(group)),
+                computed(group),
+                cell(group.reason)
+            );
+        }
+    }
+    text.push('\n');
+}
+
+/// The readings of a group: word by word what they share, and what they choose from.
+fn readings(group: &Group<'_>) -> String {
+    let split: Vec<Vec<&str>> = group.members.iter().map(|m| m.reading.split('/').collect()).collect();
+    match split.as_slice() {
+        [] => String::new(),
+        [_] => group.members.iter().map(|m| m.reading.clone()).collect(),
+        [first, rest @ ..] if rest.iter().all(|words| words.len() == first.len()) => {
+            let choices = (0..first.len()).map(|i| {
+                let mut words: Vec<&str> = Vec::new();
+                for all in &split {
+                    if !words.contains(&all[i]) {
+                        words.push(all[i]);
+                    }
+                }
+                words.join(" or ")
+            });
+            format!("{} of: {}", split.len(), choices.collect::<Vec<_>>().join(", "))
+        }
+        _ => format!("{} readings", split.len()),
+    }
+}
+
+fn computed(group: &Group<'_>) -> String {
+    let values = group.members.iter().filter_map(|m| m.computed);
+    values.reduce(Interval::hull).map(enclosure).unwrap_or_default()
+}
+
+fn fits(study: &Study, text: &mut String) {
+    text.push_str(
+        "\n## Least squares: what reproduces the printed constants\n\n\
+         coef(n) = (a n + b)/(divisor π) over the integers 16..1024 (`fits/coefficients.csv`, twelve digits and \
+         certified residuals). The L14 rows of the verdicts enclose the solutions themselves.\n\n\
+         | model | limit | objective | a | b | residual, integers | residual, every real n |\n|---|---|---|---|---|---|---|\n",
+    );
+    for model in Model::ALL {
+        for limit in Limit::ALL {
+            for objective in Objective::ALL {
+                let Some(row) = study.fit(case(model, Lobe::Cs16, limit), objective) else { continue };
+                let span = |e: &crate::bound::Extremes| {
+                    format!("{} to {}", short(e.min.value.lo()), short(e.max.value.hi()))
+                };
+                let _ = writeln!(
+                    text,
+                    "| {} | {} | {} | {} | {} | {} | {} |",
+                    model.id(),
+                    limit.id(),
+                    objective.id(),
+                    row.line.a(),
+                    row.line.b(),
+                    span(&row.integers),
+                    span(&row.reals)
+                );
+            }
+        }
+    }
+    text.push_str(
+        "\nThe printed b of both Blinn-Phong rows (0.96, 4.8) is that of absolute least squares with the integral \
+         stopped at 6/√n; the printed a (1.068, 1.027) is not (1.066): a misprint, in the second row of 4 %. \
+         For Phong the data are the line 1.0625 n exactly, and any objective gives it.\n",
+    );
+}
+
+fn nearest(study: &Study, text: &mut String) {
+    text.push_str(
+        "\n## Printed constants that break their bound, mended\n\n\
+         Fewest printed digits changed, b kept if it can be, residual certified over the integers 16..1024 \
+         (`fits/nearest.csv`).\n\n\
+         | claim | model | limit | printed | bound | its max abs residual | nearest that keeps it | its max abs residual |\n\
+         |---|---|---|---|---|---|---|---|\n",
+    );
+    for NearestRow { printed, nearest } in &study.nearest {
+        let worst = printed.integers.magnitude();
+        let (line, residual) = nearest.as_ref().map_or(("none".to_owned(), String::new()), |n| {
+            let worst = n.extremes.magnitude();
+            (n.line.to_string(), format!("{} at n = {}", short(worst.value.hi()), worst.n))
+        });
+        let _ = writeln!(
+            text,
+            "| {} | {} | {} | {} | {} | {} at n = {} | {line} | {residual} |",
+            printed.claim,
+            printed.case.model.id(),
+            printed.case.limit.id(),
+            printed.line,
+            printed.bound.as_ref().map_or("", |b| &b.text),
+            short(worst.value.hi()),
+            worst.n,
+        );
+    }
+}
+
+fn minimum(text: &mut String) {
+    text.push_str(
+        "\n## Why Δ has no negative value\n\nThe proof that min Δ = 0, as it was checked for the cut 6/√n and every \
+         real n in [16, 1024] (r = n/16, x = 1 - cos θ):\n\n",
+    );
+    for step in prove_minimum(Limit::Paper, 16, 1024).steps {
+        let _ = writeln!(text, "1. {step}");
+    }
+}
+
+fn suprema(study: &Study, text: &mut String) {
+    text.push_str(
+        "\n## Certified suprema\n\n`fits/suprema.csv`; over every θ in [0, π/2], or every t ≥ 0.\n\n\
+         | function | for | supremum | at |\n|---|---|---|---|\n",
+    );
+    for row in &study.suprema {
+        let _ = writeln!(
+            text,
+            "| {} | {} | {} | {} |",
+            row.function,
+            row.parameter,
+            enclosure(row.value),
+            row.at
+        );
+    }
+}
+
+fn details(study: &Study, text: &mut String) {
+    text.push_str("\n## Every claim\n");
+    for Summary { claim, groups } in &summaries(study) {
+        let _ = write!(text, "\n### {}: {}\n\nWhere: {}.\n\n", claim.id, claim.text, claim.locator);
+        for group in groups {
+            let _ = writeln!(text, "- **{}**: {}", group.verdict.id(), group.reason);
+            for member in &group.members {
+                let value = member.computed.map(|c| format!(" {};", enclosure(c))).unwrap_or_default();
+                let _ = writeln!(text, "  - {}:{value} {}", member.reading, member.witness);
+            }
+        }
+    }
+}

@@ -1,0 +1,36 @@
+//! How numbers are written in text: few digits for readers; the files hold all of them.
+
+use crate::bound::Interval;
+
+/// Five significant digits: 0.0170 as 1.7013e-2, 32.26 as 32.26.
+pub(super) fn short(x: f64) -> String {
+    let size = x.abs();
+    if x == 0.0 {
+        "0".to_owned()
+    } else if (1e-1..1e5).contains(&size) {
+        let text = format!("{x:.4}");
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        format!("{x:.4e}")
+    }
+}
+
+/// An enclosure in few digits: one number if both ends read the same, else both.
+pub(super) fn enclosure(value: Interval) -> String {
+    let (lo, hi) = (short(value.lo()), short(value.hi()));
+    if lo == hi { lo } else { format!("{lo} to {hi}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn readers_get_five_digits() {
+        assert_eq!(short(0.0170125), "1.7013e-2");
+        assert_eq!(short(-32.26), "-32.26");
+        assert_eq!(short(1024.0), "1024");
+        assert_eq!(enclosure(Interval::new(5.0, 6.25)), "5 to 6.25");
+        assert_eq!(enclosure(Interval::new(4.70588235e-4, 4.70588236e-4)), "4.7059e-4");
+    }
+}
