@@ -44,7 +44,9 @@ pub fn least_squares(problem: &Problem, objective: Objective, form: Form) -> Res
         target[i] = weight * exact;
     }
     let qr = matrix.qr();
-    let right = qr.q().transpose() * target;
+    // The reflections applied one by one: no product whose kernel is picked at run time.
+    qr.q_tr_mul(&mut target);
+    let right = target.rows(0, columns).into_owned();
     let solution = qr.r().solve_upper_triangular(&right).ok_or_else(failure)?;
     let (a, b) = (solution[0] / largest, if columns == 2 { solution[1] } else { 0.0 });
     if a.is_finite() && b.is_finite() { Ok((a, b)) } else { Err(failure()) }

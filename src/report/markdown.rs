@@ -191,17 +191,18 @@ fn fits(study: &Study, text: &mut String) {
 fn nearest(study: &Study, text: &mut String) {
     text.push_str(
         "\n## Printed constants that break their bound, mended\n\n\
-         Fewest printed digits changed, b kept if it can be, residual certified over the integers 16..1024 \
+         Fewest printed digits changed, and of those b's as few as can be, residual certified over the integers 16..1024 \
          (`fits/nearest.csv`).\n\n\
          | claim | model | limit | printed | bound | its max abs residual | nearest that keeps it | its max abs residual |\n\
          |---|---|---|---|---|---|---|---|\n",
     );
     for NearestRow { printed, nearest } in &study.nearest {
         let worst = printed.integers.magnitude();
-        let (line, residual) = nearest.as_ref().map_or(("none".to_owned(), String::new()), |n| {
-            let worst = n.extremes.magnitude();
-            (n.line.to_string(), format!("{} at n = {}", short(worst.value.hi()), worst.n))
-        });
+        let (line, residual) =
+            nearest.as_ref().map_or(("none with as many digits".to_owned(), String::new()), |n| {
+                let worst = n.extremes.magnitude();
+                (n.line.to_string(), format!("{} at n = {}", short(worst.value.hi()), worst.n))
+            });
         let _ = writeln!(
             text,
             "| {} | {} | {} | {} | {} | {} at n = {} | {line} | {residual} |",

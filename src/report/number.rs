@@ -27,7 +27,7 @@ mod tests {
 
     #[test]
     fn readers_get_five_digits() {
-        assert_eq!(short(0.0170125), "1.7013e-2");
+        assert_eq!(short(0.01701256), "1.7013e-2");
         assert_eq!(short(-32.26), "-32.26");
         assert_eq!(short(1024.0), "1024");
         assert_eq!(enclosure(Interval::new(5.0, 6.25)), "5 to 6.25");

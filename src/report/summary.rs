@@ -56,7 +56,9 @@ fn groups<'a>(study: &'a Study, claim: &Claim) -> Vec<Group<'a>> {
         let vacuous = expected.is_some_and(|e| e.vacuous);
         match groups.iter_mut().find(|g| g.verdict == judgement.verdict && g.reason == reason) {
             Some(group) => group.members.push(judgement),
-            None => groups.push(Group { verdict: judgement.verdict, reason, vacuous, members: vec![judgement] }),
+            None => {
+                groups.push(Group { verdict: judgement.verdict, reason, vacuous, members: vec![judgement] })
+            }
         }
     }
     groups

@@ -12,7 +12,7 @@
 //!    bound in 1/n. Behind the cut Δ = cosⁿθ ≥ 0.
 //! 5. Δ(n, 0) = 1 - 1 = 0, so the minimum is 0, at θ = 0 for every n.
 
-use crate::bound::{Interval, cut_range, infimum};
+use crate::bound::{Interval, cos_n_range, cut_range, infimum};
 use crate::integral::{Field, Limit};
 
 /// The steps of the proof, as they were checked.
@@ -50,7 +50,12 @@ pub fn prove_minimum(cut: Limit, from: u32, to: u32) -> MinimumProof {
         from >= 16 && r.hi() < f64::INFINITY && logarithm.hi() <= f64::MIN_POSITIVE,
         "0 ≤ (1 - x)^(r - 1) ≤ 1 on [0, 1], so (1 - x)^r ≥ 1 - r x (Bernoulli)".to_owned(),
     );
-    step(true, "up to the zero both sides are ≥ 0 and keep their order under the 16th power".to_owned());
+    let m = Interval::new(1.0 / f64::from(to), (Interval::from(1.0) / Interval::from(f64::from(from))).hi());
+    let zero = cut_range(Limit::ExactZero, m);
+    step(
+        zero.lo() >= 0.0 && zero.hi() <= 16.0,
+        "up to the zero (t ≤ 16) both sides are ≥ 0 and keep their order under the 16th power".to_owned(),
+    );
     let margin = |[m]: &[Interval; 1]| {
         let t = cut_range(cut, *m);
         let base = Interval::from(1.0) - t * *m;
@@ -58,14 +63,14 @@ pub fn prove_minimum(cut: Limit, from: u32, to: u32) -> MinimumProof {
         let root = (base.ln() / (Interval::int(16) * *m)).exp();
         root - (t / Interval::int(16) - Interval::int(1))
     };
-    let m = Interval::new(1.0 / f64::from(to), (Interval::from(1.0) / Interval::from(f64::from(from))).hi());
     let beyond = match cut {
         // The cut is the zero itself, or before it: nothing rises again.
         Limit::ExactZero | Limit::Support | Limit::Card => true,
         Limit::Paper => infimum(margin, [m], 1e-3, 20_000).value.lo() > 0.0,
     };
     step(beyond, format!("at the cut ({}) cosⁿθ exceeds what (1) has risen to, for every n", cut.id()));
-    step(true, "Δ(n, 0) = 1 - 1 = 0".to_owned());
+    let at_0 = cos_n_range(Interval::from(0.0), m);
+    step(at_0.contains(1.0) && at_0.width() < 1e-9, "Δ(n, 0) = 1 - 1 = 0".to_owned());
     proof
 }
 

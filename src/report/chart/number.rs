@@ -100,7 +100,7 @@ mod tests {
         assert_eq!(of(&[0, 5, 10], 5), ["0", "5e5", "1e6"]);
         let decades = [-5, -1, 0].map(|exponent| Decimal { mantissa: 1, exponent });
         assert_eq!(labels(&decades), ["1e-5", "1e-1", "1"]);
-        assert_eq!(of(&[999_995, 65_536], -6), ["0.999995", "1.000000"]);
+        assert_eq!(of(&[999_995, 1_000_000], -6), ["0.999995", "1.000000"]);
     }
 
     #[test]
