@@ -66,19 +66,18 @@ impl Artifacts {
         Ok(Artifacts { files })
     }
 
-    /// Adds README.md with the verdict table spliced in, where `root` has one with the markers for it.
+    /// Adds the README.md of `root`, if there is one, with the blocks it has markers for written anew.
     ///
     /// # Errors
-    /// [`ArtifactError`] if it cannot be read or has lost its end marker.
+    /// [`ArtifactError`] if it cannot be read or has lost an end marker.
     pub fn splice_readme(&mut self, study: &Study, root: &Path) -> Result<(), ArtifactError> {
         let path = root.join("README.md");
         match std::fs::read_to_string(&path) {
-            Ok(text) if readme::wants_table(&text) => {
-                let spliced = readme::splice(&text, &readme::table(study))?;
+            Ok(text) => {
+                let spliced = readme::splice_all(&text, study)?;
                 self.files.insert("README.md".to_owned(), spliced.into_bytes());
                 Ok(())
             }
-            Ok(_) => Ok(()),
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(()),
             Err(error) => Err(file_error(&path, &error)),
         }

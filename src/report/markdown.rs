@@ -34,7 +34,7 @@ pub(super) fn report(study: &Study) -> String {
          digits in the files named beside it. *Proved* and *refuted* rest on enclosures or exact arithmetic, \
          over what the row says: the integers 16..1024, every real n of that range, every θ in [0, π/2].\n\n",
     );
-    cut(study, &mut text);
+    let _ = write!(text, "## Is cr_n ≈ √(6/n)?\n\n{}\n", cut(study));
     verdicts(study, &mut text);
     text.push_str("## Table 1, printed and recomputed\n\n");
     text.push_str("`fits/table1.csv`, `reports/table1.md`, `reports/table1.tex`.\n\n");
@@ -51,15 +51,12 @@ pub(super) fn report(study: &Study) -> String {
     text
 }
 
-/// The brief's cr_n ≈ √(6/n): whether it holds, what it does, what holds.
-fn cut(study: &Study, text: &mut String) {
-    text.push_str("## Is cr_n ≈ √(6/n)?\n\n");
-    let of_cut = |kind: &Kind| matches!(kind, Kind::Cut { .. });
+/// Whether cr_n ≈ √(6/n), what it does to each integral, and what holds instead.
+pub(super) fn cut(study: &Study) -> String {
+    let mut text = String::new();
     for judgement in &study.judgements {
-        let claim = study.claims.claims.iter().find(|c| c.id == judgement.claim);
-        let reading = claim.and_then(|c| c.readings.iter().find(|r| r.id == judgement.reading));
-        if reading.is_some_and(|r| of_cut(&r.kind)) {
-            let word = if judgement.verdict == Verdict::Proved { "Yes" } else { "No" };
+        if matches!(study.kind(judgement), Some(Kind::Cut { .. })) {
+            let word = if judgement.verdict == Verdict::Proved { "yes" } else { "no" };
             let _ = writeln!(
                 text,
                 "- **cr_n ≈ {}: {word}** ({}). {}.",
@@ -70,8 +67,8 @@ fn cut(study: &Study, text: &mut String) {
         }
     }
     text.push_str(
-        "\nWhat each limit keeps of the lobe's whole integral, least and most over the integers 16..1024 \
-         (`fits/integrals/*.csv`):\n\n| model | √(6/n) keeps | 6/√n keeps | exact zero in θ keeps |\n|---|---|---|---|\n",
+        "\nWhat each limit keeps of the lobe's whole integral, least and most over the integers 16..1024:\n\n\
+         | model | √(6/n) keeps | 6/√n keeps | exact zero in θ keeps |\n|---|---|---|---|\n",
     );
     for model in Model::ALL {
         let share = |limit| {
@@ -94,9 +91,10 @@ fn cut(study: &Study, text: &mut String) {
         );
     }
     text.push_str(
-        "\nFor the lobes in θ/2 any limit in θ taken from the lobe's own zero stops half way: the true support is \
-         twice as wide, cut by the hemisphere below n = 54.6.\n\n",
+        "\nFor the lobes in θ/2 a limit in θ that is the lobe's own zero stops half way: their support is twice as \
+         wide, cut by the hemisphere where 16/n > 1 - √½.\n",
     );
+    text
 }
 
 fn capital(text: &str) -> String {
@@ -182,10 +180,23 @@ fn fits(study: &Study, text: &mut String) {
         }
     }
     text.push_str(
-        "\nThe printed b of both Blinn-Phong rows (0.96, 4.8) is that of absolute least squares with the integral \
-         stopped at 6/√n; the printed a (1.068, 1.027) is not (1.066): a misprint, in the second row of 4 %. \
-         For Phong the data are the line 1.0625 n exactly, and any objective gives it.\n",
+        "\nWhat that says of the printed digits, from enclosures of the least-squares solutions themselves:\n\n\
+         | as printed | limit, objective | verdict | solution |\n|---|---|---|---|\n",
     );
+    for judgement in &study.judgements {
+        if !matches!(study.kind(judgement), Some(Kind::Fit { .. })) {
+            continue;
+        }
+        let (stem, choice) = judgement.reading.split_once('/').unwrap_or((&judgement.reading, ""));
+        let _ = writeln!(
+            text,
+            "| {}, {stem} | {} | {} | {} |",
+            judgement.claim,
+            choice.replace('/', ", "),
+            judgement.verdict.id(),
+            judgement.witness
+        );
+    }
 }
 
 fn nearest(study: &Study, text: &mut String) {

@@ -1,15 +1,24 @@
-//! The verdict table in README.md, spliced in between its markers.
+//! The blocks of README.md that are generated, spliced in between their markers.
 
 use super::artifacts::ArtifactError;
+use super::markdown;
 use super::study::Study;
 use super::summary::{Group, summaries};
 use crate::verdict::Verdict;
 
-const BEGIN: &str = "<!-- verdicts: begin (written by `bellfit`, do not edit) -->";
-const END: &str = "<!-- verdicts: end -->";
+/// The blocks a README may ask for.
+const BLOCKS: [&str; 2] = ["cut", "verdicts"];
+
+fn begin(block: &str) -> String {
+    format!("<!-- {block}: begin (written by `bellfit`, do not edit) -->")
+}
+
+fn end(block: &str) -> String {
+    format!("<!-- {block}: end -->")
+}
 
 /// One row a claim: its text, its verdict, and the reasons, without the vacuous ones.
-pub(super) fn table(study: &Study) -> String {
+fn table(study: &Study) -> String {
     let mut text = String::from("| claim | as stated | verdict | why |\n|---|---|---|---|\n");
     for summary in summaries(study) {
         let telling = |g: &&Group| !g.vacuous;
@@ -38,17 +47,26 @@ pub(super) fn cell(text: &str) -> String {
     text.replace('|', "\\|").replace('\n', " ")
 }
 
-/// Whether this README asks for the table.
-pub(super) fn wants_table(text: &str) -> bool {
-    text.contains(BEGIN)
+/// `text` with every block it asks for written anew.
+///
+/// # Errors
+/// If a block begins and does not end.
+pub(super) fn splice_all(text: &str, study: &Study) -> Result<String, ArtifactError> {
+    BLOCKS.into_iter().try_fold(text.to_owned(), |text, block| {
+        let content = if block == "cut" { markdown::cut(study) } else { table(study) };
+        splice(&text, block, &content)
+    })
 }
 
-/// `text` with what stands between the markers replaced.
-pub(super) fn splice(text: &str, table: &str) -> Result<String, ArtifactError> {
-    let lost = |marker: &str| ArtifactError::Readme(format!("the marker {marker} is missing"));
-    let begin = text.find(BEGIN).ok_or_else(|| lost(BEGIN))? + BEGIN.len();
-    let end = begin + text[begin..].find(END).ok_or_else(|| lost(END))?;
-    Ok(format!("{}\n\n{table}\n{}", &text[..begin], &text[end..]))
+/// `text` with what stands between the markers of `block` replaced; as it is if it has no such block.
+fn splice(text: &str, block: &str, content: &str) -> Result<String, ArtifactError> {
+    let (begin, end) = (begin(block), end(block));
+    let Some(start) = text.find(&begin).map(|at| at + begin.len()) else {
+        return Ok(text.to_owned());
+    };
+    let length = text[start..].find(&end);
+    let stop = start + length.ok_or_else(|| ArtifactError::Readme(format!("the marker {end} is missing")))?;
+    Ok(format!("{}\n\n{content}\n{}", &text[..start], &text[stop..]))
 }
 
 #[cfg(test)]
@@ -57,11 +75,12 @@ mod tests {
 
     #[test]
     fn only_what_is_between_the_markers_changes() {
-        let before = format!("head\n{BEGIN}\nold\n{END}\ntail\n");
-        let after = splice(&before, "| new |\n").unwrap();
-        assert_eq!(after, format!("head\n{BEGIN}\n\n| new |\n\n{END}\ntail\n"));
-        assert_eq!(splice(&after, "| new |\n").unwrap(), after);
-        assert!(splice("no markers", "x").is_err());
-        assert!(splice(&format!("{END} {BEGIN}"), "x").is_err());
+        let (begin, end) = (begin("cut"), end("cut"));
+        let before = format!("head\n{begin}\nold\n{end}\ntail\n");
+        let after = splice(&before, "cut", "| new |\n").unwrap();
+        assert_eq!(after, format!("head\n{begin}\n\n| new |\n\n{end}\ntail\n"));
+        assert_eq!(splice(&after, "cut", "| new |\n").unwrap(), after);
+        assert_eq!(splice("no markers", "cut", "x").unwrap(), "no markers");
+        assert!(splice(&format!("{end} {begin}"), "cut", "x").is_err());
     }
 }

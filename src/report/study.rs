@@ -131,6 +131,12 @@ impl Study {
         self.printed.iter().find(|p| p.case.model == model)
     }
 
+    /// What a judgement's reading states.
+    pub fn kind(&self, judgement: &Judgement) -> Option<&Kind> {
+        let claim = self.claims.claims.iter().find(|c| c.id == judgement.claim)?;
+        claim.readings.iter().find(|r| r.id == judgement.reading).map(|r| &r.kind)
+    }
+
     /// Where verdicts and expectations differ; empty when all is as expected.
     pub fn surprises(&self) -> Vec<ExpectedError> {
         self.expectations.differences(&self.judgements)

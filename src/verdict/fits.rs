@@ -25,23 +25,35 @@ impl Judge {
             (Verdict::Refuted, _) | (_, Verdict::Refuted) => Verdict::Refuted,
             _ => Verdict::Undecided,
         };
-        let middle = |(lo, hi): &(RBig, RBig)| enclose(lo).hull(enclose(hi)).mid();
-        let mut witness = format!("a = {:.6}", middle(a_ends));
-        if (middle(a_ends) - middle(&(a.lowest.clone(), a.lowest.clone()))).abs() < 1e-9 {
-            let side = match (a_ends.0 == a.lowest, a_ends.1 < a.lowest) {
-                (true, _) => "exactly at",
-                (_, true) => "just below",
-                _ => "just above",
-            };
-            witness = format!("a is {side} the tie {}", middle(a_ends));
-        }
-        if b.is_some() {
-            witness = format!("{witness}, b = {:.4}", middle(b_ends));
+        let mut witness = against_text("a", a_ends, a);
+        if let Some(b) = b {
+            witness = format!("{witness}, {}", against_text("b", b_ends, b));
         }
         let printed = b.map_or_else(|| a.text.clone(), |b| format!("{}; {}", a.text, b.text));
         let computed = Some(enclose(&a_ends.0).hull(enclose(&a_ends.1)));
         Ok(Finding { printed, computed, verdict, witness })
     }
+}
+
+/// "a = 1.066377 (printed 1.068: no)", or on which side of the printed digits' tie it lies.
+fn against_text(name: &str, ends: &(RBig, RBig), printed: &Printed) -> String {
+    let middle = |(lo, hi): &(RBig, RBig)| enclose(lo).hull(enclose(hi)).mid();
+    let word = if against(ends, printed) == Verdict::Proved { "yes" } else { "no" };
+    let text = &printed.text;
+    for tie in [&printed.lowest, &printed.highest] {
+        let at = middle(&((*tie).clone(), (*tie).clone()));
+        if (middle(ends) - at).abs() < 1e-9 {
+            let side = if ends.1 < *tie {
+                "just below"
+            } else if ends.0 > *tie {
+                "just above"
+            } else {
+                "exactly at"
+            };
+            return format!("{name} is {side} the tie {at} (printed {text}: {word})");
+        }
+    }
+    format!("{name} = {:.6} (printed {text}: {word})", middle(ends))
 }
 
 fn against((lo, hi): &(RBig, RBig), printed: &Printed) -> Verdict {
