@@ -4,7 +4,7 @@ use super::{Outcome, print};
 use crate::paper::{ClaimsFile, EXAMPLE};
 use crate::report::{judgement_lines, judgements_json};
 use crate::verdict::{Judge, Verdict};
-use anyhow::{Context, Result, anyhow};
+use anyhow::{Result, anyhow};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -37,7 +37,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome> {
     if path.is_dir() {
         return Err(anyhow!("{name}: a folder, not a claims file"));
     }
-    let bytes = std::fs::read(path).with_context(|| name.to_string())?;
+    let bytes = std::fs::read(path).map_err(|error| {
+        let text = error.to_string();
+        anyhow!("{name}: {}", text.split(" (os error").next().unwrap_or(&text).to_lowercase())
+    })?;
     let text = String::from_utf8(bytes).map_err(|_| anyhow!("{name}: not UTF-8 text"))?;
     let claims = ClaimsFile::parse(&text).map_err(|error| anyhow!("{name}: {error}"))?;
     let judgements = Judge::default().judge(&claims).map_err(|error| anyhow!("{name}: {error}"))?;

@@ -1,7 +1,11 @@
 //! The files of a run: made in memory, then compared or written whole.
 
+use super::figures::{self, ResidualLine};
 use super::study::Study;
-use super::{chart, constants, markdown, readme, table_one, tables};
+use super::study::case;
+use super::{constants, markdown, readme, table_one, tables};
+use crate::fit::Objective;
+use crate::integral::{Limit, Lobe};
 use crate::kernel::model::Model;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -15,7 +19,7 @@ pub enum ArtifactError {
     Table(String),
     /// A plot could not be drawn.
     #[error("plot: {0}")]
-    Plot(#[from] chart::ChartError),
+    Plot(#[from] figures::FigureError),
     /// A file could not be read or written.
     #[error("{path}: {reason}")]
     File {
@@ -62,7 +66,11 @@ impl Artifacts {
         files.insert("reports/table1.tex".to_owned(), table_one::latex(study).into_bytes());
         files.insert("reports/verdicts.csv".to_owned(), tables::verdicts_csv(study)?);
         files.insert("reports/verdicts.json".to_owned(), tables::verdicts_json(study)?);
-        files.insert("reports/report.md".to_owned(), markdown::report(study).into_bytes());
+        let figures = figures::figures(&residual_lines(study))?;
+        for (name, bytes) in figures::render(&figures)? {
+            files.insert(format!("reports/plots/{name}"), bytes);
+        }
+        files.insert("reports/report.md".to_owned(), markdown::report(study, &figures).into_bytes());
         Ok(Artifacts { files })
     }
 
@@ -167,6 +175,34 @@ impl Artifacts {
         }
         Ok(())
     }
+}
+
+/// The lines of the residual figure: as printed, over the paper's limit and over the whole support,
+/// and the refits over the whole support.
+fn residual_lines(study: &Study) -> Vec<ResidualLine> {
+    let mut lines = Vec::new();
+    for model in Model::ALL {
+        let on = |limit| case(model, Lobe::Cs16, limit);
+        if let Some(printed) = study.printed(model) {
+            let bound = printed.bound.as_ref().map(|b| crate::bound::enclose(&b.value).mid());
+            for (limit, label) in
+                [(Limit::Paper, "printed, integral to 6/√n"), (Limit::Support, "printed, whole support")]
+            {
+                let (case, line) = (on(limit), printed.line.clone());
+                lines.push(ResidualLine { case, label: label.to_owned(), line, printed_bound: bound });
+            }
+        }
+        for (objective, label) in [
+            (Objective::LsRelative, "least squares, whole support"),
+            (Objective::Minimax, "minimax, whole support"),
+        ] {
+            if let Some(row) = study.fit(on(Limit::Support), objective) {
+                let (case, line) = (row.case, row.line.clone());
+                lines.push(ResidualLine { case, label: label.to_owned(), line, printed_bound: None });
+            }
+        }
+    }
+    lines
 }
 
 fn file_error(path: &Path, error: &std::io::Error) -> ArtifactError {

@@ -1,5 +1,6 @@
 //! `reports/report.md`.
 
+use super::figures::Figure;
 use super::number::{enclosure, short};
 use super::readme::cell;
 use super::study::{NearestRow, Study, case};
@@ -13,21 +14,8 @@ use crate::paper::Kind;
 use crate::verdict::{Verdict, prove_minimum};
 use std::fmt::Write;
 
-/// Plots in the report: file stem and what to see in it.
-pub(super) const PLOTS: [(&str, &str); 9] = [
-    ("lobes-128", "cosⁿ and cs_16 at n = 128, with the exact zero, 6/√n and √(6/n)"),
-    ("difference-curves", "Δ = cosⁿθ - cs_16 for several n, and what a cut at √(6/n) does to it"),
-    ("difference-map", "Δ over n and 20·θ, the paper's axes"),
-    ("cuts", "the cut of (1): exact, 6/√n and √(6/n)"),
-    ("residuals", "residuals of the printed, refitted and minimax factors, with the printed bounds"),
-    ("integrals", "n·Int(n) by model, lobe and limit"),
-    ("gaussians", "distance of cosⁿ from its two Gaussians, over n"),
-    ("gaussian-curves", "Gaussian - cosⁿ at two n"),
-    ("bells", "e^-t - (1 - t/K)^K for K = 4, 8, 16, 32"),
-];
-
 /// The whole report.
-pub(super) fn report(study: &Study) -> String {
+pub(super) fn report(study: &Study, figures: &[Figure]) -> String {
     let mut text = String::from(
         "# The lobe paper, verified\n\n\
          Written by `bellfit` (`cargo run --release`); every number here is computed, and stands with all its \
@@ -43,9 +31,9 @@ pub(super) fn report(study: &Study) -> String {
     nearest(study, &mut text);
     minimum(&mut text);
     suprema(study, &mut text);
-    text.push_str("\n## Plots\n\nEach also as SVG beside it.\n");
-    for (stem, what) in PLOTS {
-        let _ = write!(text, "\n![{what}](plots/{stem}.png)\n\n*{what}.*\n");
+    text.push_str("\n## Plots\n");
+    for Figure { stem, alt, .. } in figures {
+        let _ = write!(text, "\n![{alt}](plots/{stem}.png)\n\n*{alt}* ([SVG](plots/{stem}.svg))\n");
     }
     details(study, &mut text);
     text

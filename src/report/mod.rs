@@ -2,6 +2,7 @@
 //! elsewhere.
 
 pub mod chart;
+pub mod figures;
 
 mod artifacts;
 mod constants;
