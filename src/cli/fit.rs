@@ -29,7 +29,7 @@ pub struct Arguments {
     #[arg(long, value_name = "OBJECTIVE", default_value = "minimax", value_parser = objective)]
     objective: Objective,
     /// The specular exponents to fit, whole numbers, ends included.
-    #[arg(long, value_name = "A..B", default_value = "16..1024", value_parser = parse_range)]
+    #[arg(long, value_name = "A..B", default_value = "16..1024", value_parser = parse_range, allow_hyphen_values = true)]
     n: (u32, u32),
     /// linear (a n + b) or proportional (a n).
     #[arg(long, value_name = "FORM", default_value = "linear", value_parser = form)]

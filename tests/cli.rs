@@ -1,0 +1,196 @@
+//! The program as its user meets it: exit codes, one clear line for bad input, nothing half
+//! written, and files that regenerate to the byte.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn bellfit(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_bellfit")).args(arguments).output().expect("the program starts")
+}
+
+fn stdout(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).expect("UTF-8")
+}
+
+/// An empty folder of this test's own.
+fn folder(name: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_dir_all(&path);
+    std::fs::create_dir_all(&path).expect("a folder");
+    path
+}
+
+/// Every file below a folder, by relative path.
+fn files(root: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+    let mut found = BTreeMap::new();
+    let mut open = vec![root.to_path_buf()];
+    while let Some(folder) = open.pop() {
+        for entry in std::fs::read_dir(&folder).expect("readable") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                open.push(path);
+            } else {
+                let bytes = std::fs::read(&path).expect("readable");
+                found.insert(path.strip_prefix(root).expect("below").to_path_buf(), bytes);
+            }
+        }
+    }
+    found
+}
+
+#[track_caller]
+fn one_line_and_exit_2(arguments: &[&str], names: &str) {
+    let output = bellfit(arguments);
+    let error = String::from_utf8(output.stderr.clone()).expect("UTF-8");
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {error}");
+    assert_eq!(error.lines().count(), 1, "{arguments:?}: {error}");
+    assert!(error.starts_with("bellfit: ") && error.contains(names), "{arguments:?}: {error}");
+    assert!(output.stdout.is_empty(), "{arguments:?}");
+}
+
+#[test]
+fn the_committed_files_regenerate_to_the_byte() {
+    let root = env!("CARGO_MANIFEST_DIR");
+    let out = folder("regenerated");
+    let path = out.to_str().expect("UTF-8");
+    let run = bellfit(&["reproduce", "--out", path]);
+    assert_eq!(run.status.code(), Some(0), "{}", stdout(&run));
+    let fresh = files(&out);
+    for tree in ["fits", "reports"] {
+        let committed = files(&Path::new(root).join(tree));
+        let below: BTreeMap<_, _> = fresh
+            .iter()
+            .filter_map(|(p, b)| Some((p.strip_prefix(tree).ok()?.to_path_buf(), b.clone())))
+            .collect();
+        // What is measured, not computed, is not regenerated.
+        let computed: BTreeMap<_, _> =
+            committed.into_iter().filter(|(p, _)| !p.starts_with("measured")).collect();
+        assert!(computed.keys().eq(below.keys()), "{tree}: {:?} against {:?}", computed.keys(), below.keys());
+        for (path, bytes) in computed {
+            assert!(below[&path] == bytes, "{tree}/{} differs", path.display());
+        }
+    }
+
+    // A changed file and a missing one are seen and named, and nothing is written.
+    let table = out.join("fits/coefficients.csv");
+    let mut text = std::fs::read_to_string(&table).expect("readable");
+    text.push_str("one line too many\n");
+    std::fs::write(&table, &text).expect("writable");
+    std::fs::remove_file(out.join("reports/report.md")).expect("removable");
+    let check = bellfit(&["--check", "--out", path]);
+    assert_eq!(check.status.code(), Some(1));
+    let said = stdout(&check);
+    assert_eq!(said.matches("differs: ").count(), 2, "{said}");
+    assert!(said.contains("differs: fits/coefficients.csv differs, first at line"), "{said}");
+    assert!(said.contains("differs: reports/report.md: no such file"), "{said}");
+    assert_eq!(std::fs::read_to_string(&table).expect("readable"), text);
+    assert!(!out.join("reports/report.md").exists());
+}
+
+#[test]
+fn what_cannot_be_written_leaves_everything_as_it_was() {
+    one_line_and_exit_2(&["--out", env!("CARGO_BIN_EXE_bellfit")], "not a folder");
+    one_line_and_exit_2(&["--out", "/proc/bellfit"], "/proc/bellfit");
+    // The last file of the run cannot be placed: none may be, and the one that stood before stays.
+    let out = folder("obstructed");
+    std::fs::create_dir_all(out.join("reports/verdicts.json")).expect("a folder in a file's place");
+    std::fs::create_dir_all(out.join("fits")).expect("a folder");
+    std::fs::write(out.join("fits/coefficients.csv"), "mine\n").expect("writable");
+    one_line_and_exit_2(&["--out", out.to_str().expect("UTF-8")], "is a folder");
+    let left: Vec<_> = files(&out).into_iter().collect();
+    assert_eq!(left, [(PathBuf::from("fits/coefficients.csv"), b"mine\n".to_vec())]);
+}
+
+#[test]
+fn bad_usage_gets_one_line_that_names_the_value() {
+    let n = |range| ["fit", "--model", "phong", "--n", range];
+    for range in ["0..10", "20..10", "NaN", "16", "..", "16..", "-1..5", "1.5..3", "1..65537", ""] {
+        one_line_and_exit_2(&n(range), "1 ≤ A ≤ B ≤ 65536");
+    }
+    one_line_and_exit_2(&n("16..17"), "n = 16..17: 3 values of n are needed and 2 given");
+    one_line_and_exit_2(&["fit"], "--model");
+    one_line_and_exit_2(&["fit", "--model", "lambert"], "known are phong, ");
+    one_line_and_exit_2(&["fit", "--model", "phong", "--digits", "0"], "0 is not in 1..=15");
+    one_line_and_exit_2(&["fit", "--model", "phong", "--lobe", "cos-n", "--limit", "card"], "support only");
+    one_line_and_exit_2(&["--nonsense"], "--nonsense");
+    one_line_and_exit_2(&["nonsense"], "nonsense");
+    one_line_and_exit_2(&["--check", "--adopt"], "--adopt");
+    one_line_and_exit_2(&["verify"], "<FILE>");
+}
+
+#[test]
+fn claims_files_that_cannot_be_read_are_told_with_their_place() {
+    let out = folder("claims");
+    let file = |name: &str, bytes: &[u8]| {
+        let path = out.join(name);
+        std::fs::write(&path, bytes).expect("writable");
+        path.to_str().expect("UTF-8").to_owned()
+    };
+    one_line_and_exit_2(&["verify", "/nonexistent.toml"], "/nonexistent.toml: no such file");
+    one_line_and_exit_2(&["verify", out.to_str().expect("UTF-8")], "a folder");
+    one_line_and_exit_2(&["verify", &file("bytes.toml", &[0xff, 0xfe, 0])], "not UTF-8");
+    one_line_and_exit_2(&["verify", &file("empty.toml", b"")], "line 1");
+    let unknown = b"version = 1\n\n[[claim]]\nid = \"a\"\ncolour = 3\n";
+    one_line_and_exit_2(
+        &["verify", &file("unknown.toml", unknown)],
+        "line 5, column 1: unknown field `colour`",
+    );
+}
+
+#[test]
+fn the_example_claims_hold_and_a_false_one_is_refuted() {
+    let example = bellfit(&["verify", "--example"]);
+    assert_eq!(example.status.code(), Some(0));
+    let out = folder("example");
+    let path = out.join("claims.toml");
+    std::fs::write(&path, &example.stdout).expect("writable");
+    let path = path.to_str().expect("UTF-8");
+    let verdicts = bellfit(&["verify", path]);
+    assert_eq!(verdicts.status.code(), Some(0), "{}", stdout(&verdicts));
+    assert_eq!(stdout(&verdicts).matches(": proved.").count(), 5);
+
+    let json: serde_json::Value =
+        serde_json::from_slice(&bellfit(&["verify", path, "--json"]).stdout).expect("JSON");
+    assert_eq!(json.as_array().map(Vec::len), Some(5));
+    assert_eq!(json[0]["verdict"], "proved");
+
+    // 1.07 n/2π on the whole support is 1.07 · 16/17 - 1 = 7.0588e-3 too much at every n.
+    let text =
+        stdout(&example).replace("(1.0625*n + 0.9445)", "1.07*n").replace("phong-modified\" ", "phong\" ");
+    let planted = text.replace("phong-modified\"\nlimit", "phong\"\nlimit");
+    std::fs::write(path, planted).expect("writable");
+    let verdicts = bellfit(&["verify", path]);
+    assert_eq!(verdicts.status.code(), Some(1), "{}", stdout(&verdicts));
+    let text = stdout(&verdicts);
+    assert!(text.contains("residual/integers: refuted. stated 5e-3; computed 7.0588e-3; n = 16"), "{text}");
+    assert!(text.contains("never gains: refuted."), "{text}");
+}
+
+#[test]
+fn a_fit_prints_what_it_certified() {
+    // Phong's integral over the support is 16/(17 n), so the best factor is (17/16) n/(2π) exactly.
+    let text = stdout(&bellfit(&["fit", "--model", "phong", "--objective", "ls-relative"]));
+    let mut lines = text.lines();
+    assert_eq!(lines.next(), Some("phong, cs16, support, n = 16..1024, ls-relative"));
+    assert_eq!(lines.next(), Some("coef(n) = 1.0625 n/(2π)"));
+    assert_eq!(lines.next(), Some("residual 2π coef(n) Int(n) - 1, certified:"));
+    let json = bellfit(&["fit", "--model", "phong", "--form", "proportional", "--n", "20..30", "--json"]);
+    let json: serde_json::Value = serde_json::from_slice(&json.stdout).expect("JSON");
+    assert_eq!((&json["a"], &json["b"]), (&"1.0625".into(), &"0".into()));
+    assert!(json["max_residual"].as_f64().is_some_and(|r| r.abs() < 1e-12));
+    // To three digits the residual certified is that of the rounded 1.06: 1.06 · 16/17 - 1.
+    let rounded = bellfit(&["fit", "--model", "phong", "--digits", "3", "--json"]);
+    let json: serde_json::Value = serde_json::from_slice(&rounded.stdout).expect("JSON");
+    assert!((json["max_residual"].as_f64().expect("a number") - (1.06 * 16.0 / 17.0 - 1.0)).abs() < 1e-12);
+}
+
+#[test]
+fn help_and_version_go_to_stdout() {
+    for arguments in [&["--help"][..], &["fit", "--help"], &["verify", "--help"], &["reproduce", "--help"]] {
+        let output = bellfit(arguments);
+        assert_eq!(output.status.code(), Some(0));
+        assert!(stdout(&output).contains("Examples:"), "{arguments:?}");
+    }
+    assert!(stdout(&bellfit(&["--version"])).contains(env!("CARGO_PKG_VERSION")));
+}
