@@ -64,13 +64,13 @@ fn value_at(polynomial: &Polynomial, n: u32) -> Option<RBig> {
     let h = RBig::int(1) / RBig::int(2).power(n / 2);
     polynomial.terms().try_fold(RBig::int(0), |total, (e, c)| {
         let power = RBig::int(i64::from(n)).power(e[0]) * h.power(e[1]);
-        (e[2] == 0 && n % 2 == 0).then(|| total + c.clone() * power)
+        (e[2] == 0 && n.is_multiple_of(2)).then(|| total + c.clone() * power)
     })
 }
 
 /// Proves p(n, 2^(-n/2)) > 0 for every real n ≥ from, or says why not.
 fn positive(p: &Polynomial, from: u32) -> Result<String, String> {
-    if from % 2 == 1 {
+    if !from.is_multiple_of(2) {
         return Err("the range must start at an even n".to_owned());
     }
     if p.degree(1) > 1 {

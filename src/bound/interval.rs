@@ -206,7 +206,7 @@ impl Field for Interval {
 
     fn power(&self, k: u32) -> Self {
         let (lo, hi) = (signed_power(self.lo, k), signed_power(self.hi, k));
-        if k > 0 && k % 2 == 0 && self.contains(0.0) {
+        if k > 0 && k.is_multiple_of(2) && self.contains(0.0) {
             Interval { lo: 0.0, hi: lo.hi.max(hi.hi) }
         } else {
             lo.hull(hi) // monotone: odd powers everywhere, even ones away from 0

@@ -93,22 +93,18 @@ pub enum FitError {
         case: String,
     },
     /// Two methods that must agree do not.
-    #[error("{case}: {left} gives a = {a}, b = {b}, and {right} a = {c}, b = {d}")]
+    #[error("{case}: {left} gives {found}, and {right} {other}")]
     Disagreement {
         /// For which integral and objective.
         case: String,
         /// One method.
         left: &'static str,
-        /// Its a.
-        a: String,
-        /// Its b.
-        b: String,
+        /// Its a and b.
+        found: String,
         /// The other.
         right: &'static str,
-        /// Its a.
-        c: String,
-        /// Its b.
-        d: String,
+        /// Its a and b.
+        other: String,
     },
 }
 

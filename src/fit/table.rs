@@ -47,11 +47,9 @@ pub fn fit_case(
                 return Err(FitError::Disagreement {
                     case: format!("{}, {}", problem.case, objective.id()),
                     left: "QR",
-                    a: a.to_string(),
-                    b: b.to_string(),
+                    found: format!("a = {a}, b = {b}"),
                     right: "the simplex search",
-                    c: c.to_string(),
-                    d: d.to_string(),
+                    other: format!("a = {c}, b = {d}"),
                 });
             }
         }
