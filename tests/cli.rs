@@ -1,5 +1,6 @@
 //! The program as its user meets it: exit codes, one clear line for bad input, nothing half
 //! written, and files that regenerate to the byte.
+#![cfg(feature = "toolkit")]
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

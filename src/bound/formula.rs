@@ -3,6 +3,7 @@
 
 use super::{Polynomial, decimal};
 use crate::integral::Field;
+use dashu_int::ops::BitTest;
 use dashu_ratio::RBig;
 use thiserror::Error;
 
@@ -150,8 +151,11 @@ impl core::str::FromStr for Formula {
 
 /// The deepest nesting read, so that no text can exhaust the stack.
 const DEEPEST: usize = 64;
-/// The highest whole power read, so that no text can exhaust memory.
+/// The highest whole power read, and the highest degree in any of n, 2^(-n/2) and π, so that no text
+/// can exhaust memory: powers of powers multiply.
 const HIGHEST: i64 = 32;
+/// The longest coefficient that a power may make, in bits, for the same reason.
+const LONGEST: usize = 4096;
 
 struct Reader<'a> {
     text: &'a str,
@@ -220,6 +224,13 @@ impl Reader<'_> {
             let base = if k < 0 { base.inverse() } else { base };
             if base.denominator.is_zero() {
                 return Err(self.error("division by 0"));
+            }
+            let parts = [&base.numerator, &base.denominator];
+            let degree = parts.iter().flat_map(|p| (0..3).map(|i| p.degree(i))).max().unwrap_or(0);
+            let bits = |c: &RBig| c.numerator().bit_len() + c.denominator().bit_len();
+            let length = parts.iter().flat_map(|p| p.terms().map(|(_, c)| bits(c))).max().unwrap_or(0);
+            if k.abs() * i64::from(degree) > HIGHEST || k.unsigned_abs() as usize * length > LONGEST {
+                return Err(self.error("a power too large to write out"));
             }
             return Ok((0..k.abs()).fold(Formula::constant(RBig::int(1)), |p, _| p.times(&base)));
         }
@@ -321,5 +332,15 @@ mod tests {
         }
         assert!("(".repeat(1000).parse::<Formula>().is_err());
         assert!("n^33".parse::<Formula>().is_err());
+        assert!("(n^4)^8".parse::<Formula>().is_ok());
+        for tower in [
+            "(n^4)^9",
+            "((n + 1)^32)^32",
+            "((2^(-n/2))^8)^(-5)",
+            "((((n + π)^32)^32)^32)^32",
+            "((9^32)^32)^32",
+        ] {
+            assert!(tower.parse::<Formula>().is_err(), "{tower}");
+        }
     }
 }

@@ -94,7 +94,7 @@ pub fn bell_distance(power: u32, tolerance: f64) -> Supremum<1> {
         (Jet::int(0) - t).exp() - clamped.power(power)
     };
     let f = |[t]: &[Interval; 1]| range(distance, *t);
-    // From t = 40 on the bell is 0 (K ≤ 32) and e^-t below 5e-18.
+    // From t = 40 on both lie between 0 and e^-40.
     let found = supremum(f, [Interval::new(0.0, 40.0)], tolerance, MOST_BOXES);
     let tail = Interval::from(-40.0).exp().hi();
     Supremum { value: Interval::new(found.value.lo(), found.value.hi().max(tail)), ..found }

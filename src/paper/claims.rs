@@ -73,7 +73,7 @@ impl ClaimsFile {
             let before = &text[..floor_boundary(text, at)];
             let line = before.matches('\n').count() + 1;
             let column = before.rsplit('\n').next().map_or(0, |l| l.chars().count()) + 1;
-            ClaimsError { line, column, message }
+            ClaimsError { line, column, message: one_line(&message) }
         };
         let raw: RawFile = toml::from_str(text).map_err(|error| {
             let message = error.message().lines().collect::<Vec<_>>().join(", ");
@@ -112,6 +112,13 @@ impl ClaimsFile {
         }
         Ok(ClaimsFile { claims })
     }
+}
+
+/// The file's own words are quoted in messages; a line break or a terminal's escape in them is shown,
+/// not sent.
+fn one_line(message: &str) -> String {
+    let show = |c: char| if c.is_control() { c.escape_default().to_string() } else { c.to_string() };
+    message.chars().map(show).collect()
 }
 
 fn floor_boundary(text: &str, at: usize) -> usize {

@@ -1,0 +1,43 @@
+//! Shading code as a renderer without std would write it, in both float types.
+//!
+//! The panic handler is the proof: were std linked by anything below, it would stand twice, which does
+//! not compile.
+#![no_std]
+
+use bellfit::kernel::bell::bell;
+use bellfit::kernel::factor::{cos_n_factor, cs_16_factor, cs_16_factor_printed};
+use bellfit::kernel::lobe::{cos_n, cs, cs_16, cs_versine, cut_exact, gaussian, schlick, versine};
+use bellfit::kernel::model::Model;
+use bellfit::kernel::shading::{PhongLambert, phong_lambert_with};
+use bellfit::kernel::vector::{Vec3, dot, half_vector};
+
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    loop {}
+}
+
+/// Normalised Blinn-Phong highlight in single precision.
+pub fn highlight(normal: Vec3<f32>, to_light: Vec3<f32>, to_view: Vec3<f32>, n: f32) -> f32 {
+    let Some(half) = half_vector(to_light, to_view) else { return 0.0 };
+    cs_16_factor(Model::BlinnPhong).at(n) * cs_16(dot(normal, half), n)
+}
+
+/// Phong with Lambert's term in double precision.
+pub fn shade(normal: Vec3<f64>, to_light: Vec3<f64>, to_view: Vec3<f64>, n: f64) -> f64 {
+    let specular = cs_16_factor_printed::<f64>(Model::Phong).at(n);
+    let material = PhongLambert { ambient: 0.1, diffuse: 0.5, specular, n };
+    phong_lambert_with(material, 0.2, 1.0, normal, to_light, to_view, cs::<8, f64>)
+}
+
+/// Every elementary function that the kernels take from `libm`, in both types.
+pub fn lobes(theta: f64, n: f64) -> [f64; 6] {
+    let (single, exponent) = (theta as f32, n as f32);
+    [
+        cos_n(1.0 - versine(theta), n) * cos_n_factor(Model::BlinnPhongModified, n),
+        f64::from(cos_n(1.0 - versine(single), exponent) * cos_n_factor(Model::BlinnPhong, exponent)),
+        cs_versine::<32, f64>(versine(theta), n) - gaussian(theta, n),
+        f64::from(cs_versine::<32, f32>(versine(single), exponent) - gaussian(single, exponent)),
+        cut_exact(n) - bell::<16, f64>(n),
+        f64::from(schlick(1.0 - versine(single), exponent) - cut_exact(exponent)),
+    ]
+}
