@@ -13,7 +13,8 @@ mod references;
 
 use bellfit::bound::power_of_ten;
 use bellfit::fit::{
-    Form, Objective, Problem, certified_least_squares, fit_case, least_squares, minimax, simplex_search,
+    Form, Objective, Problem, certified_least_squares, fit_case, least_squares, minimax, scaled_integrals,
+    simplex_search,
 };
 use bellfit::integral::{AGREEMENT, Case, Field, GaussTable, Limit, Lobe, gauss_legendre};
 use bellfit::kernel::model::Model;
@@ -114,7 +115,9 @@ fn certified_solutions_contain_the_references() {
     // 2^-128 = 3e-39, through sums over 1009 n and a division: to all 20 digits of the references.
     let widest = power_of_ten(-30);
     for row in fits().into_iter().filter(|row| row.objective != Objective::Minimax) {
-        let found = certified_least_squares(&row.problem, row.objective, row.form).unwrap();
+        let found =
+            certified_least_squares(&row.problem, &scaled_integrals(&row.problem), row.objective, row.form)
+                .unwrap();
         let (name, b) = (row.name(), row.b_or_zero());
         assert!(row.a.is_within(&found.a.0, &found.a.1), "{name}: {:?}, not {:?}", found.a, row.a);
         assert!(b.is_within(&found.b.0, &found.b.1), "{name}: {:?}, not {b:?}", found.b);

@@ -6,10 +6,35 @@
 use super::Interval;
 use crate::integral::{Edge, Field};
 
-/// Terms of the exponential series after reduction to 0 ≤ r ≤ 0.7: 0.7^18/18! < 3e-19.
-const EXP_TERMS: i64 = 18;
-/// Terms of the series of ln in z² ≤ 0.0295: 0.0295^13 < 2e-20.
-const LN_TERMS: i64 = 13;
+/// Degree of the exponential series after reduction to 0 ≤ r ≤ 0.7: 0.7^18/18! < 3e-19.
+const EXP_DEGREE: usize = 17;
+/// Degree in z² of the series of ln, z² ≤ 0.0295: 0.0295^13 < 2e-20.
+const LN_DEGREE: usize = 12;
+
+/// 17!/j!, so that 17! eˣ is summed with whole coefficients: 17! < 2^53, all are exact.
+const EXP_COEFFICIENTS: [f64; EXP_DEGREE + 1] = {
+    let mut c = [1.0; EXP_DEGREE + 1];
+    let mut j = EXP_DEGREE;
+    while j > 0 {
+        c[j - 1] = c[j] * j as f64;
+        j -= 1;
+    }
+    c
+};
+
+/// lcm(1, 3, …, 25)/(2j + 1): 9 · 25 · 7 · 11 · 13 · 17 · 19 · 23 < 2^53, all are exact.
+const LN_SCALE: u64 = 9 * 25 * 7 * 11 * 13 * 17 * 19 * 23;
+const LN_COEFFICIENTS: [f64; LN_DEGREE + 1] = {
+    let mut c = [0.0; LN_DEGREE + 1];
+    let mut j = 0;
+    while j <= LN_DEGREE {
+        assert!(LN_SCALE.is_multiple_of(2 * j as u64 + 1));
+        c[j] = (LN_SCALE / (2 * j as u64 + 1)) as f64;
+        j += 1;
+    }
+    c
+};
+
 /// Terms of the versine series for y ≤ 3: 3^12/26! < 2e-21.
 const VERSINE_TERMS: i64 = 12;
 
@@ -69,17 +94,14 @@ fn exp_point(x: f64) -> Interval {
     // Rounded down, so that every term is positive; a k one off only makes r a little larger.
     let k = libm::floor(x / core::f64::consts::LN_2);
     let r = Interval::from(x) - Interval::from(k) * Interval::LN_2;
-    // Horner from the last term kept; the tail is below twice the first term left out, as
-    // |r|/(EXP_TERMS + 1) < 1/2.
+    // Horner; the tail is below twice the first term left out, as r/19 < 1/2, and that term below
+    // r^17/17! · r/18.
     let mut sum = Interval::from(1.0);
-    for j in (1..EXP_TERMS).rev() {
-        sum = Interval::from(1.0) + sum * r / Interval::int(j);
+    for c in EXP_COEFFICIENTS[..EXP_DEGREE].iter().rev() {
+        sum = Interval::from(*c) + sum * r;
     }
-    let mut tail = Interval::from(2.0);
-    for j in 1..=EXP_TERMS {
-        tail = tail * r.abs() / Interval::int(j);
-    }
-    sum = sum + Interval::new(-tail.hi(), tail.hi());
+    let tail = Interval::from(2.0) * r.abs().power(EXP_DEGREE as u32 + 1) / Interval::from(18.0);
+    sum = (sum + Interval::new(-tail.hi(), tail.hi())) / Interval::from(EXP_COEFFICIENTS[0]);
     // Powers of two scale exactly until they underflow; then one step outward covers it.
     let scale = |v: f64| libm::scalbn(v, k as i32);
     Interval::new(scale(sum.lo()).next_down().max(0.0), scale(sum.hi()).next_up())
@@ -103,12 +125,12 @@ fn ln_point(x: f64) -> Interval {
     let z = Interval::from(f - 1.0) / (Interval::from(f) + Interval::from(1.0));
     let square = z.power(2);
     let mut sum = Interval::from(0.0);
-    for j in (0..LN_TERMS).rev() {
-        sum = Interval::from(1.0) / Interval::int(2 * j + 1) + sum * square;
+    for c in LN_COEFFICIENTS.iter().rev() {
+        sum = Interval::from(*c) + sum * square;
     }
-    // Σ_{j≥N} z^2j/(2j+1) < z^2N, as 1/((2N+1)(1 - z²)) < 1.
-    let tail = square.power(LN_TERMS as u32).hi();
-    let series = sum + Interval::new(0.0, tail);
+    // Σ_{j>N} z^2j/(2j+1) < z^(2N+2), as 1/((2N+3)(1 - z²)) < 1.
+    let tail = square.power(LN_DEGREE as u32 + 1).hi();
+    let series = sum / Interval::from(LN_SCALE as f64) + Interval::new(0.0, tail);
     Interval::from(2.0) * z * series + Interval::from(f64::from(k)) * Interval::LN_2
 }
 

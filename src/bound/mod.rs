@@ -28,5 +28,5 @@ pub use integrals::{IntegralRow, IntegralTable, integral_enclosure};
 pub use interval::Interval;
 pub use jet::{Jet, range};
 pub use polynomial::{Coefficient, Exponents, Polynomial};
-pub use residual::{Extreme, Extremes, Residual};
+pub use residual::{Extreme, Extremes, Residual, normalises_exactly};
 pub use search::{Supremum, infimum, supremum};

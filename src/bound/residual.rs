@@ -3,7 +3,8 @@
 
 use super::difference::reciprocal;
 use super::{Coefficient, Exponents, Formula, Interval, Jet, range, supremum};
-use crate::integral::{Case, Edge, scaled_closed_form};
+use crate::integral::{Case, Edge, Field, Limit, Lobe, scaled_bell, scaled_closed_form, scaled_cos_n};
+use crate::kernel::model::LobeAngle;
 
 /// An extreme value with the argument it belongs to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,8 +62,26 @@ const MOST_BOXES: usize = 20_000;
 #[derive(Clone, Debug)]
 pub struct Residual {
     case: Case,
+    /// Whether the residual is 0 identically for n ≥ 16.
+    exact: bool,
     intervals: Compiled<Interval>,
     jets: Compiled<Jet>,
+}
+
+/// Whether 2π coef(n) Int(n) = 1 identically for n ≥ 16, decided in polynomials; only for integrals
+/// that are rational in n and 2^(-n/2): cosⁿ, and cs_16 up to its zero in its own angle.
+///
+/// An enclosure of a residual that is 0 is never 0 itself; this is.
+pub fn normalises_exactly(case: Case, factor: &Formula) -> bool {
+    let Case { model, lobe, limit } = case;
+    let m = Formula::int(1) / Formula::n();
+    let up_to_zero = matches!(limit, Limit::ExactZero | Limit::Support) && model.angle() == LobeAngle::Full;
+    let scaled = match lobe {
+        Lobe::CosN => scaled_cos_n(model, &m, &Formula::h()),
+        Lobe::Cs16 if up_to_zero => scaled_bell(model, &m, &Formula::int(0)),
+        Lobe::Cs16 => return false,
+    };
+    (factor.times_two_pi() * scaled * m).is_identical(&Formula::int(1))
 }
 
 #[derive(Clone, Debug)]
@@ -115,11 +134,15 @@ impl<T: Edge + Coefficient> Compiled<T> {
 impl Residual {
     /// The residual of `factor` for `case`.
     pub fn new(case: Case, factor: &Formula) -> Self {
-        Residual { case, intervals: Compiled::new(factor), jets: Compiled::new(factor) }
+        let exact = normalises_exactly(case, factor);
+        Residual { case, exact, intervals: Compiled::new(factor), jets: Compiled::new(factor) }
     }
 
     /// The residual at one n.
     pub fn at(&self, n: f64) -> Interval {
+        if self.exact && n >= 16.0 {
+            return Interval::from(0.0);
+        }
         let m = reciprocal(Interval::from(n));
         self.intervals.residual(self.case, &m)
     }
@@ -137,6 +160,10 @@ impl Residual {
     /// The extremes over every real n in [from, to], by branch and bound in m = 1/n with
     /// first derivatives, to about six digits of the larger of them, and never finer than 1e-9.
     pub fn over_reals(&self, from: f64, to: f64) -> Extremes {
+        if self.exact && from >= 16.0 {
+            let zero = Extreme { value: Interval::from(0.0), n: from };
+            return Extremes { max: zero, min: zero };
+        }
         let m = reciprocal(Interval::new(from, to));
         let size = self.at(from).abs().hi().max(self.at(to).abs().hi());
         let tolerance = (1e-6 * size).max(1e-9);

@@ -20,12 +20,21 @@ pub struct CertifiedFit {
     pub b: (RBig, RBig),
 }
 
-/// Encloses the least-squares line over the integers of the problem's range.
+/// n Int(n) for the integers of the problem's range: what [`certified_least_squares`] fits, and the
+/// costly part of it.
+pub fn scaled_integrals(problem: &Problem) -> Vec<Fixed> {
+    let at = |n: u32| scaled_closed_form(problem.case, &(Fixed::int(1) / Fixed::int(i64::from(n))));
+    (problem.from..=problem.to).map(at).collect()
+}
+
+/// Encloses the least-squares line over the integers of the problem's range, given their
+/// [`scaled_integrals`].
 ///
 /// # Errors
 /// [`FitError`] for a minimax objective or too short a range.
 pub fn certified_least_squares(
     problem: &Problem,
+    scaled: &[Fixed],
     objective: Objective,
     form: Form,
 ) -> Result<CertifiedFit, FitError> {
@@ -40,9 +49,8 @@ pub fn certified_least_squares(
     let zero = || Fixed::int(0);
     // Normal equations of min Σ (a p + b q - r)².
     let (mut pp, mut pq, mut qq, mut pr, mut qr) = (zero(), zero(), zero(), zero(), zero());
-    for n in problem.from..=problem.to {
-        let n = Fixed::int(i64::from(n));
-        let scaled = scaled_closed_form(problem.case, &(Fixed::int(1) / n.clone()));
+    for (n, scaled) in (problem.from..=problem.to).zip(scaled) {
+        let (n, scaled) = (Fixed::int(i64::from(n)), scaled.clone());
         let (p, q, r) = match objective {
             Objective::LsAbsolute => (n.clone(), Fixed::int(1), half_divisor.clone() * n / scaled),
             Objective::LsRelative => {
@@ -106,7 +114,13 @@ mod tests {
     fn phong_is_exactly_seventeen_sixteenths() {
         let case = Case { model: Model::Phong, lobe: Lobe::Cs16, limit: Limit::Support };
         let problem = Problem::new(case, 16, 1024).unwrap();
-        let fit = certified_least_squares(&problem, Objective::LsAbsolute, Form::Linear).unwrap();
+        let fit = certified_least_squares(
+            &problem,
+            &scaled_integrals(&problem),
+            Objective::LsAbsolute,
+            Form::Linear,
+        )
+        .unwrap();
         let exact = RBig::int(17) / RBig::int(16);
         assert_eq!(fit.a, (exact.clone(), exact));
         assert_eq!(fit.b, (RBig::int(0), RBig::int(0)));
@@ -117,7 +131,13 @@ mod tests {
         // 6/√n lets (1 - t/16)^17/17 with t > 16 in, so Int is larger and a smaller than 17/16.
         let case = Case { model: Model::Phong, lobe: Lobe::Cs16, limit: Limit::Paper };
         let problem = Problem::new(case, 16, 1024).unwrap();
-        let fit = certified_least_squares(&problem, Objective::LsAbsolute, Form::Proportional).unwrap();
+        let fit = certified_least_squares(
+            &problem,
+            &scaled_integrals(&problem),
+            Objective::LsAbsolute,
+            Form::Proportional,
+        )
+        .unwrap();
         let tie = RBig::int(17) / RBig::int(16);
         assert!(fit.a.1 < tie, "the side of the tie is decided");
         assert!(tie - fit.a.0 < crate::bound::power_of_ten(-14));

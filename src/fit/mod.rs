@@ -10,7 +10,7 @@ mod nonlinear;
 mod problem;
 mod table;
 
-pub use certified::{CertifiedFit, certified_least_squares};
+pub use certified::{CertifiedFit, certified_least_squares, scaled_integrals};
 pub use least_squares::least_squares;
 pub use line::Line;
 pub use minimax::{Minimax, minimax};

@@ -1,9 +1,9 @@
 //! Statements that are identities or inequalities between formulas: decided exactly.
 
 use super::judgement::{Finding, Verdict};
-use crate::bound::{Decision, Formula, Interval, Residual, less_for_all};
-use crate::integral::{Case, Field, Limit, Lobe, scaled_bell, scaled_cos_n};
-use crate::kernel::model::{LobeAngle, Model};
+use crate::bound::{Decision, Formula, Interval, Residual, less_for_all, normalises_exactly};
+use crate::integral::{Case, Field, Limit, Lobe, scaled_bell};
+use crate::kernel::model::Model;
 
 /// 1/n as a formula.
 fn reciprocal() -> Formula {
@@ -33,20 +33,6 @@ pub(super) fn factor_identity(model: Model, factor: &Formula) -> Finding {
     let verdict = if miss.contains(0.0) { Verdict::Undecided } else { Verdict::Refuted };
     let witness = format!("2π coef(n) Int(n) - 1 = {:.3e} at n = 16", miss.mid());
     Finding { printed: String::new(), computed: Some(miss), verdict, witness }
-}
-
-/// Whether 2π coef(n) Int(n) = 1 identically in n ≥ 16, for the integrals that are rational in n: an
-/// enclosure of a residual that is 0 never excludes a gain.
-pub(super) fn normalises_exactly(case: Case, factor: &Formula) -> bool {
-    let Case { model, lobe, limit } = case;
-    let whole = matches!(limit, Limit::ExactZero | Limit::Support) && model.angle() == LobeAngle::Full;
-    let scaled = match lobe {
-        Lobe::CosN => scaled_cos_n(model, &reciprocal(), &Formula::h()),
-        // Up to its zero, where the base is 0.
-        Lobe::Cs16 if whole => scaled_bell(model, &reciprocal(), &Formula::int(0)),
-        Lobe::Cs16 => return false,
-    };
-    (factor.times_two_pi() * scaled * reciprocal()).is_identical(&Formula::int(1))
 }
 
 /// lower < upper for every real n from `from` on.

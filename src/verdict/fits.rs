@@ -3,7 +3,9 @@
 use super::judge::Judge;
 use super::judgement::{Finding, Verdict};
 use crate::bound::enclose;
-use crate::fit::{CertifiedFit, FitError, Form, Objective, Problem, certified_least_squares};
+use crate::fit::{
+    CertifiedFit, FitError, Form, Objective, Problem, certified_least_squares, scaled_integrals,
+};
 use crate::integral::Case;
 use crate::paper::Printed;
 use dashu_ratio::RBig;
@@ -17,7 +19,8 @@ impl Judge {
         (a, b): (&Printed, Option<&Printed>),
     ) -> Result<Finding, FitError> {
         let problem = Problem::new(case, n.0, n.1)?;
-        let fit = certified_least_squares(&problem, objective, form)?;
+        let scaled = self.scaled.entry((case, n)).or_insert_with(|| scaled_integrals(&problem));
+        let fit = certified_least_squares(&problem, scaled, objective, form)?;
         let CertifiedFit { a: a_ends, b: b_ends } = &fit;
         let of_b = b.map_or(Verdict::Proved, |b| against(b_ends, b));
         let verdict = match (against(a_ends, a), of_b) {

@@ -2,7 +2,7 @@
 
 use super::judgement::{Evidence, Finding, Judgement, Verdict};
 use super::{algebra, lobes};
-use crate::bound::{DifferenceExtreme, Extremes, Formula, Gaussian, Interval};
+use crate::bound::{DifferenceExtreme, Extremes, Fixed, Formula, Gaussian, Interval};
 use crate::fit::FitError;
 use crate::integral::{Case, Limit};
 use crate::paper::{ClaimsFile, Kind, Over};
@@ -16,6 +16,7 @@ type Range = (u32, u32);
 pub struct Judge {
     pub(super) differences: BTreeMap<(Limit, Range), DifferenceExtreme>,
     pub(super) gaussians: BTreeMap<(Gaussian, Range), (Interval, f64)>,
+    pub(super) scaled: BTreeMap<(Case, Range), Vec<Fixed>>,
     pub(super) below_16: BTreeMap<String, String>,
     pub(super) residuals: Vec<(Case, Formula, Range, Over, Extremes)>,
 }

@@ -1,9 +1,8 @@
 //! Statements about 2π coef(n) Int(n) - 1.
 
-use super::algebra;
 use super::judge::Judge;
 use super::judgement::{Finding, Verdict, compare};
-use crate::bound::{Extreme, Extremes, Formula, Interval, Residual};
+use crate::bound::{Extreme, Extremes, Formula, Residual};
 use crate::integral::Case;
 use crate::paper::{Over, Printed, Relation, Statistic};
 
@@ -45,10 +44,6 @@ impl Judge {
     }
 
     pub(super) fn energy(&mut self, case: Case, factor: &Formula, n: (u32, u32), over: Over) -> Finding {
-        if n.0 >= 16 && algebra::normalises_exactly(case, factor) {
-            let zero = Interval::from(0.0);
-            return Finding::truth(true, Some(zero), "2π coef Int = 1 exactly, for every n".to_owned());
-        }
         let Extreme { value, n } = self.extremes(case, factor, n, over).max;
         let (verdict, what) = if value.hi() <= 0.0 {
             (Verdict::Proved, "2π coef Int - 1 is at most")
