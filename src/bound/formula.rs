@@ -43,8 +43,11 @@ impl Formula {
         Formula { numerator: line, denominator: Polynomial::pi().scaled(divisor) }
     }
 
-    /// Whether both are the same function of n.
+    /// Whether both are the same function of n; a quotient by 0 is the same as none.
     pub fn is_identical(&self, other: &Self) -> bool {
+        if self.denominator.is_zero() || other.denominator.is_zero() {
+            return false;
+        }
         let left = self.numerator.times(&other.denominator);
         left.minus(&other.numerator.times(&self.denominator)).is_zero()
     }

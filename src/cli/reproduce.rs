@@ -63,7 +63,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome> {
     let written = artifacts.write(root)?;
     if arguments.adopt {
         for change in changes(&constants, root) {
-            let _ = writeln!(text, "adopted: {change}");
+            let _ = writeln!(text, "{change}");
         }
         constants.write(root)?;
     } else if !stale.is_empty() {
@@ -79,15 +79,20 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome> {
     Ok(outcome)
 }
 
-/// The lines of the constants' source that would change.
+/// The lines of the constants' source that go and that come.
 fn changes(constants: &Artifacts, root: &std::path::Path) -> Vec<String> {
     let mut lines = Vec::new();
     for (path, bytes) in constants.files() {
         let before = std::fs::read_to_string(root.join(path)).unwrap_or_default();
         let after = String::from_utf8_lossy(bytes);
-        for (old, new) in before.lines().zip(after.lines()).filter(|(old, new)| old != new) {
-            lines.push(format!("{} becomes {}", old.trim(), new.trim()));
-        }
+        let only = |of: &str, other: &str, sign: char| -> Vec<String> {
+            of.lines()
+                .filter(|l| !other.lines().any(|o| o == *l))
+                .map(|l| format!("{sign} {}", l.trim()))
+                .collect()
+        };
+        lines.extend(only(&before, &after, '-'));
+        lines.extend(only(&after, &before, '+'));
     }
     lines
 }

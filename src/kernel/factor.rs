@@ -92,7 +92,8 @@ pub fn cos_n_factor<F: Real>(model: Model, n: F) -> F {
 /// coef(n) = (a n + b)/(divisor π) with the row of [`CS16_PRINTED`].
 ///
 /// Source: the lobe paper, Table 1, the column of (1). Lost signs and fraction bars are read as in
-/// (1.063 n + 1)/2π. Fitted there on n = 16..1024.
+/// (1.063 n + 1)/2π. Fitted there on n = 16..1024. Accuracy: [`CS16_PRINTED`]'s source notes each row's
+/// certified residual on the lobe's whole support; most are not what the paper states.
 ///
 /// ```
 /// use bellfit::kernel::{factor::cs_16_factor_printed, model::Model};
@@ -111,7 +112,8 @@ pub fn cs_16_factor_printed<F: Real>(model: Model) -> LinearFactor<F> {
 /// max |2π coef(n) Int(n) - 1| over n = 16..1024, Int(n) on the lobe's true support.
 ///
 /// Source: this crate's fit; the form is that of the lobe paper, Table 1. Outside 16..1024 the line
-/// continues, but was not fitted.
+/// continues, but was not fitted. Accuracy: certified for every real n of 16..1024, row by row with the
+/// n of its extremes in [`CS16_MINIMAX`]'s source.
 ///
 /// ```
 /// use bellfit::kernel::{constants::CS16_MINIMAX, factor::cs_16_factor, model::Model};

@@ -2,6 +2,7 @@
 //! derived, and nothing here judges.
 
 mod claims;
+mod fields;
 mod kind;
 mod printed;
 mod raw;

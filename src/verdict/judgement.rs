@@ -2,6 +2,7 @@
 
 use crate::bound::{Interval, exact};
 use crate::paper::{Printed, Relation};
+use dashu_ratio::RBig;
 use serde::{Deserialize, Serialize};
 
 /// What is known of one reading.
@@ -94,14 +95,18 @@ impl Finding {
 
 /// A certified enclosure against what is printed.
 pub(super) fn compare(computed: Interval, printed: &Printed, relation: Relation) -> Verdict {
-    let (Some(lo), Some(hi)) = (exact(computed.lo()), exact(computed.hi())) else {
-        return Verdict::Undecided; // an infinite end encloses everything
-    };
+    // An infinite end bounds nothing on its side.
+    let (lo, hi) = (exact(computed.lo()), exact(computed.hi()));
+    let at_least = |bound: &RBig| lo.as_ref().is_some_and(|lo| lo >= bound);
+    let above = |bound: &RBig| lo.as_ref().is_some_and(|lo| lo > bound);
+    let at_most = |bound: &RBig| hi.as_ref().is_some_and(|hi| hi <= bound);
+    let below = |bound: &RBig| hi.as_ref().is_some_and(|hi| hi < bound);
     let (inside, outside) = match relation {
         Relation::Equal => {
-            (lo >= printed.lowest && hi <= printed.highest, hi < printed.lowest || lo > printed.highest)
+            let (lowest, highest) = (&printed.lowest, &printed.highest);
+            (at_least(lowest) && at_most(highest), below(lowest) || above(highest))
         }
-        Relation::AtMost => (hi <= printed.value, lo > printed.value),
+        Relation::AtMost => (at_most(&printed.value), above(&printed.value)),
     };
     match (inside, outside) {
         (true, _) => Verdict::Proved,
@@ -123,6 +128,8 @@ mod tests {
         assert_eq!(check(0.0169, 0.01702, Relation::AtMost), Verdict::Undecided);
         assert_eq!(check(0.0174, 0.0176, Relation::Equal), Verdict::Undecided);
         assert_eq!(check(0.0176, 0.0177, Relation::Equal), Verdict::Refuted);
-        assert_eq!(check(f64::NEG_INFINITY, 0.0, Relation::AtMost), Verdict::Undecided);
+        assert_eq!(check(f64::NEG_INFINITY, 0.0, Relation::AtMost), Verdict::Proved);
+        assert_eq!(check(1.0, f64::INFINITY, Relation::AtMost), Verdict::Refuted);
+        assert_eq!(check(f64::NEG_INFINITY, f64::INFINITY, Relation::Equal), Verdict::Undecided);
     }
 }
