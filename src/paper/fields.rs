@@ -211,16 +211,24 @@ impl Fields<'_> {
         let kind = self.raw.kind.get_ref().as_str();
         Ok(match kind {
             "definition" => Kind::Definition { place: self.needed("place")?.0 },
-            "factor-residual" => Kind::FactorResidual {
-                case: self.case()?,
-                factor: self.formula("factor")?,
-                text: self.needed("factor")?.0,
-                n: self.range()?,
-                over: self.over()?,
-                statistic: self.statistic()?,
-                relation: self.relation()?,
-                printed: self.printed("printed")?,
-            },
+            "factor-residual" => {
+                let printed = self.printed("printed")?;
+                let place = if printed.is_none() { self.text("place").map(|(text, _)| text) } else { None };
+                if printed.is_none() && place.is_none() {
+                    return Err(self.missing("printed"));
+                }
+                Kind::FactorResidual {
+                    case: self.case()?,
+                    factor: self.formula("factor")?,
+                    text: self.needed("factor")?.0,
+                    n: self.range()?,
+                    over: self.over()?,
+                    statistic: self.statistic()?,
+                    relation: self.relation()?,
+                    printed,
+                    place,
+                }
+            }
             "energy" => Kind::Energy {
                 case: self.case()?,
                 factor: self.formula("factor")?,

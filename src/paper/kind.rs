@@ -81,6 +81,8 @@ pub enum Kind {
         relation: Relation,
         /// The number, if one is printed.
         printed: Option<Printed>,
+        /// Where the figure is regenerated, if no number is printed.
+        place: Option<String>,
     },
     /// 2π coef(n) Int(n) ≤ 1: the factor never gains energy.
     Energy {

@@ -76,8 +76,13 @@ impl Judge {
                 verdict: Verdict::Definition,
                 witness: place.clone(),
             },
-            Kind::FactorResidual { case, factor, n, over, statistic, relation, printed, .. } => {
-                self.factor_residual((*case, factor, *n, *over), *statistic, *relation, printed.as_ref())
+            Kind::FactorResidual { case, factor, n, over, statistic, relation, printed, place, .. } => {
+                let of = (*case, factor, *n, *over);
+                let mut found = self.factor_residual(of, *statistic, *relation, printed.as_ref());
+                if let Some(place) = place {
+                    found.witness = format!("{}; {place}", found.witness);
+                }
+                found
             }
             Kind::Energy { case, factor, n, over } => self.energy(*case, factor, *n, *over),
             Kind::LobeDifference { cut, n, statistic, relation, printed } => {
