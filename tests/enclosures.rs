@@ -63,6 +63,28 @@ fn every_integral_is_enclosed() {
     assert!(widest <= 1e-12, "{widest:e}");
 }
 
+/// The committed tables themselves, row by row: complete, narrow, and the quadrature beside the
+/// enclosure no further from it than its own error and what routes may differ by.
+#[test]
+fn the_committed_tables_keep_their_promise() {
+    for model in Model::ALL {
+        let path = format!("{}/fits/integrals/{}.csv", env!("CARGO_MANIFEST_DIR"), model.id());
+        let mut reader = csv::Reader::from_path(path).unwrap();
+        let mut count = 0;
+        for row in reader.records() {
+            let row = row.unwrap();
+            let number = |i: usize| row[i].parse::<f64>().unwrap();
+            let (lo, hi, quadrature, error) = (number(4), number(5), number(6), number(7));
+            assert!(0.0 < lo && lo <= hi && hi - lo <= 1e-12 * lo, "{row:?}");
+            let reach = error + AGREEMENT * lo;
+            assert!(lo - reach <= quadrature && quadrature <= hi + reach, "{row:?}");
+            count += 1;
+        }
+        // cosⁿ on its support and cs_16 on four limits, 16..1024.
+        assert_eq!(count, 5 * 1009, "{}", model.id());
+    }
+}
+
 #[test]
 fn every_route_meets_every_integral() {
     let mut table = GaussTable::default();

@@ -68,9 +68,15 @@ pub(super) fn cos_n_jet(t: Jet, m: Interval) -> Jet {
     Jet { value, slope: -Interval::new(least, most) * t.slope }
 }
 
-/// The range of m = 1/n, rounded outward; exact at powers of two, so that the ends of 16..1024
-/// stay what they are.
-pub(super) fn reciprocal(n: Interval) -> Interval {
+/// The range of m = 1/n for n > 0, rounded outward; exact at powers of two, so that the ends of
+/// 16..1024 stay what they are.
+///
+/// ```
+/// use bellfit::bound::{Interval, reciprocal};
+/// assert_eq!(reciprocal(Interval::new(16.0, 1024.0)), Interval::new(1.0 / 1024.0, 1.0 / 16.0));
+/// assert!(reciprocal(Interval::from(1000.0)).width() > 0.0);
+/// ```
+pub fn reciprocal(n: Interval) -> Interval {
     let end = |x: f64| {
         let power_of_two = libm::frexp(x).0 == 0.5;
         if power_of_two { Interval::from(1.0 / x) } else { Interval::from(1.0) / Interval::from(x) }
@@ -120,6 +126,9 @@ pub fn difference_supremum(cut: Limit, n: Interval, tolerance: f64) -> Differenc
 
 /// inf Δ at one real n in (0, 16], over θ in [0, π/2], where the lobe lies above cosⁿθ and its
 /// zero at or beyond π/2.
+///
+/// It rises with n. At fixed t cosⁿθ rises with n; and what t gains beyond n, where n ended, is at
+/// least -(1 - n/16)^16, which is Δ(n, π/2), as cos(π/2) = 0.
 pub fn difference_infimum(n: f64, tolerance: f64) -> DifferenceExtreme {
     let m = reciprocal(Interval::from(n));
     let domain = Interval::new(0.0, n.min(16.0));
@@ -133,7 +142,7 @@ pub fn difference_infimum(n: f64, tolerance: f64) -> DifferenceExtreme {
 /// The two differ by the bell between zero and cut, where it is monotone, so the supremum over θ
 /// is its value at the cut: (1 - t_cut/16)^16.
 pub fn cut_effect(cut: Limit, n: Interval, tolerance: f64) -> DifferenceExtreme {
-    let found = supremum(|[m]| bell(cut_range(cut, *m)), [reciprocal(n)], tolerance, 100_000);
+    let found = supremum(|[m]| bell(cut_range(cut, *m)), [reciprocal(n)], tolerance, MOST_BOXES);
     let t = cut_range(cut, Interval::from(found.at[0])).mid();
     DifferenceExtreme {
         value: found.value,

@@ -102,6 +102,7 @@ impl Formula {
     }
 }
 
+/// Dividing by a formula that is 0 identically gives one that equals no other.
 impl Field for Formula {
     fn int(value: i64) -> Self {
         Self::constant(RBig::int(value))

@@ -1,7 +1,7 @@
 //! The table of integrals: each Int(n) enclosed, and the three routes agreeing on it.
 
 use super::difference::reciprocal;
-use super::{Extreme, Extremes, Interval};
+use super::{Extremes, Interval};
 use crate::integral::{Case, Disagreement, Estimate, GaussTable, Routes, scaled_closed_form};
 
 /// One Int(n), without its factor 2π.
@@ -60,12 +60,9 @@ impl IntegralTable {
     /// How much of `whole` this table's integrals keep, over the rows both have: the least and
     /// the largest quotient, each with its n.
     pub fn share_of(&self, whole: &IntegralTable) -> Option<Extremes> {
-        let mut extremes: Option<Extremes> = None;
-        for (part, all) in self.rows.iter().zip(&whole.rows).filter(|(a, b)| a.n == b.n) {
-            let (share, n) = (part.enclosure / all.enclosure, f64::from(part.n));
-            let here = Extreme { value: share, n };
-            extremes.get_or_insert(Extremes { max: here, min: here }).include(share, n);
-        }
-        extremes
+        let pairs = self.rows.iter().zip(&whole.rows).filter(|(part, all)| part.n == all.n);
+        let shares: Vec<(f64, Interval)> =
+            pairs.map(|(part, all)| (f64::from(part.n), part.enclosure / all.enclosure)).collect();
+        Extremes::of(&shares)
     }
 }

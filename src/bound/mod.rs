@@ -17,7 +17,7 @@ mod search;
 
 pub use difference::{
     DifferenceExtreme, cos_n_range, cut_effect, cut_numerator, cut_range, difference_infimum,
-    difference_supremum,
+    difference_supremum, reciprocal,
 };
 pub use exact::{decimal, enclose, exact, power_of_ten};
 pub use fixed::Fixed;

@@ -33,15 +33,20 @@ impl Extremes {
         Extreme { value: max.max(min), n }
     }
 
-    pub(super) fn include(&mut self, value: Interval, n: f64) {
-        if value.lo() > self.max.value.hi() {
-            self.max.n = n;
-        }
-        if value.hi() < self.min.value.lo() {
-            self.min.n = n;
-        }
-        self.max.value = self.max.value.max(value);
-        self.min.value = self.min.value.least(value);
+    /// The extremes of enclosed values by their n, ascending; `None` of none.
+    ///
+    /// Each n is the smallest whose enclosure reaches the extreme's.
+    pub(super) fn of(values: &[(f64, Interval)]) -> Option<Self> {
+        let (_, first) = values.first()?;
+        let (max, min) =
+            values.iter().fold((*first, *first), |(max, min), (_, v)| (max.max(*v), min.least(*v)));
+        let n_where = |reaches: &dyn Fn(&Interval) -> bool| {
+            values.iter().find(|(_, v)| reaches(v)).map_or(f64::NAN, |(n, _)| *n)
+        };
+        Some(Extremes {
+            max: Extreme { value: max, n: n_where(&|v| v.hi() >= max.lo()) },
+            min: Extreme { value: min, n: n_where(&|v| v.lo() <= min.hi()) },
+        })
     }
 }
 
@@ -148,13 +153,12 @@ impl Residual {
     }
 
     /// The extremes over the integers from..=to.
+    ///
+    /// # Panics
+    /// If the range is empty.
     pub fn over_integers(&self, from: u32, to: u32) -> Extremes {
-        let first = Extreme { value: self.at(f64::from(from)), n: f64::from(from) };
-        let mut extremes = Extremes { max: first, min: first };
-        for n in from..=to {
-            extremes.include(self.at(f64::from(n)), f64::from(n));
-        }
-        extremes
+        let values: Vec<(f64, Interval)> = (from..=to).map(f64::from).map(|n| (n, self.at(n))).collect();
+        Extremes::of(&values).expect("a range with an integer in it")
     }
 
     /// The extremes over every real n in [from, to], by branch and bound in m = 1/n with
@@ -208,6 +212,17 @@ mod tests {
         assert!(integers.max.value.hi() <= reals.max.value.hi());
         assert_eq!(integers.min.n, 16.0);
         assert!(integers.min.value.contains(4.0 / 9000.0)); // (16/17)(1.063 + 1/16)(17/18) - 1
+    }
+
+    /// A slow rise in which neighbours overlap must not leave the first n in the maximum's name.
+    #[test]
+    fn the_n_of_an_extreme_reaches_it() {
+        let values: Vec<(f64, Interval)> =
+            (0..10).map(f64::from).map(|n| (n, Interval::new(n, n + 1.5))).collect();
+        let found = Extremes::of(&values).unwrap();
+        assert_eq!((found.max.value, found.max.n), (Interval::new(9.0, 10.5), 8.0));
+        assert_eq!((found.min.value, found.min.n), (Interval::new(0.0, 1.5), 0.0));
+        assert!(Extremes::of(&[]).is_none());
     }
 
     #[test]

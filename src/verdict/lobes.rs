@@ -75,38 +75,40 @@ impl Judge {
     }
 
     pub(super) fn cut_effect(&mut self, cut: Limit, n: (u32, u32), comparison: Comparison) -> Finding {
-        let exact = self.difference(Limit::ExactZero, n);
         if comparison == Comparison::EachN {
-            // At n = 16 (1) is cos^16 θ itself, so Δ with the exact cut is 0 for every θ.
-            let effect = cut_effect(cut, Interval::from(f64::from(n.0)), 1e-30);
-            let decided = n.0 == 16 && effect.value.lo() > 0.0;
-            return Finding {
-                printed: String::new(),
-                computed: Some(effect.value),
-                verdict: if decided { Verdict::Refuted } else { Verdict::Undecided },
-                witness: format!(
-                    "n = 16: (1) is cos^16 θ itself, Δ = 0 at every θ with the exact cut, and {:.1e} is cut off by this one",
-                    effect.value.hi()
-                ),
-            };
+            return self.cut_effect_at_each_n(cut, n);
         }
+        let exact = self.difference(Limit::ExactZero, n);
         let effect = cut_effect(cut, range(n), 1e-9);
         let scale = Interval::from(if comparison == Comparison::Tenth { 10.0 } else { 1.0 });
-        let scaled = effect.value * scale;
-        let verdict = if scaled.hi() < exact.value.lo() {
-            Verdict::Proved
-        } else if scaled.lo() >= exact.value.hi() {
-            Verdict::Refuted
-        } else {
-            Verdict::Undecided
-        };
         let witness = format!(
             "the cut changes Δ by up to {:.3e} (n = {}), and sup |Δ| is {:.4e}",
             effect.value.hi(),
             exponent(effect.n),
             exact.value.hi()
         );
+        let verdict = below(effect.value * scale, exact.value);
         Finding { printed: String::new(), computed: Some(effect.value), verdict, witness }
+    }
+
+    /// sup Δ rises with n, as cosⁿθ does at fixed t: if the first n's exceeds the cut's effect at all n,
+    /// every n's does; if it does not exceed the effect at that n, that n is the witness.
+    fn cut_effect_at_each_n(&mut self, cut: Limit, n: (u32, u32)) -> Finding {
+        let (first, from) = ((n.0, n.0), Interval::from(f64::from(n.0)));
+        // At n = 16 (1) is cos^16 θ itself, so Δ with the exact cut is 0 for every θ.
+        let exact =
+            if n.0 == 16 { Interval::from(0.0) } else { self.difference(Limit::ExactZero, first).value };
+        let (here, anywhere) = (cut_effect(cut, from, 1e-30).value, cut_effect(cut, range(n), 1e-9).value);
+        let verdict = match (below(anywhere, exact), below(here, exact)) {
+            (Verdict::Proved, _) => Verdict::Proved,
+            (_, Verdict::Refuted) => Verdict::Refuted,
+            _ => Verdict::Undecided,
+        };
+        let size = if n.0 == 16 { "0 at every θ".to_owned() } else { format!("up to {:.3e}", exact.hi()) };
+        let effect = here.hi();
+        let witness =
+            format!("at n = {} Δ with the exact cut is {size}, and this cut changes it by {effect:.1e}", n.0);
+        Finding { printed: String::new(), computed: Some(here), verdict, witness }
     }
 
     pub(super) fn gaussian_falls(&mut self, kind: Gaussian, n: (u32, u32)) -> Finding {
@@ -118,26 +120,15 @@ impl Judge {
             values.push((at, self.gaussian(kind, (at, at)).0));
             at *= 2;
         }
-        let falls = values.windows(2).all(|w| w[1].1.hi() < w[0].1.lo());
         let list: Vec<String> = values.iter().map(|(n, v)| format!("{:.3e} at {n}", v.hi())).collect();
-        let computed = values.first().map(|(_, v)| *v);
-        Finding::truth(
-            falls,
-            computed,
-            format!("sup over θ of |cosⁿθ - {}|: {}", kind.formula(), list.join(", ")),
-        )
+        let values: Vec<Interval> = values.into_iter().map(|(_, v)| v).collect();
+        falls(&values, format!("sup over θ of |cosⁿθ - {}|: {}", kind.formula(), list.join(", ")))
     }
 
     pub(super) fn gaussian_beats_lobe(&mut self, kind: Gaussian, n: (u32, u32)) -> Finding {
         let (gauss, at) = self.gaussian(kind, n);
         let lobe = self.difference(Limit::ExactZero, n);
-        let verdict = if gauss.hi() < lobe.value.lo() {
-            Verdict::Proved
-        } else if gauss.lo() >= lobe.value.hi() {
-            Verdict::Refuted
-        } else {
-            Verdict::Undecided
-        };
+        let verdict = below(gauss, lobe.value);
         let witness = format!(
             "sup |cosⁿθ - {}| = {:.4e} at n = {}, sup |cosⁿθ - cs_16| = {:.4e} at n = {}",
             kind.formula(),
@@ -150,14 +141,37 @@ impl Judge {
     }
 }
 
+/// Whether what `smaller` encloses is below what `larger` does.
+fn below(smaller: Interval, larger: Interval) -> Verdict {
+    if smaller.hi() < larger.lo() {
+        Verdict::Proved
+    } else if smaller.lo() >= larger.hi() {
+        Verdict::Refuted
+    } else {
+        Verdict::Undecided
+    }
+}
+
+/// Whether each value is below the one before it.
+fn falls(values: &[Interval], witness: String) -> Finding {
+    let steps: Vec<Verdict> = values.windows(2).map(|pair| below(pair[1], pair[0])).collect();
+    let verdict = if steps.contains(&Verdict::Refuted) {
+        Verdict::Refuted
+    } else if steps.contains(&Verdict::Undecided) {
+        Verdict::Undecided
+    } else {
+        Verdict::Proved
+    };
+    Finding { printed: String::new(), computed: values.first().copied(), verdict, witness }
+}
+
 /// The smallest power's error first.
 pub(super) fn bell_falls(powers: &[u32]) -> Finding {
     let values: Vec<_> = powers.iter().map(|&k| (k, bell_distance(k, 1e-8))).collect();
-    let falls = values.windows(2).all(|w| w[1].1.value.hi() < w[0].1.value.lo());
     let list: Vec<String> =
         values.iter().map(|(k, v)| format!("K = {k}: {:.4e} at t = {:.3}", v.value.hi(), v.at[0])).collect();
-    let computed = values.first().map(|(_, v)| v.value);
-    Finding::truth(falls, computed, format!("sup over t ≥ 0 of |e^-t - (1 - t/K)^K|: {}", list.join(", ")))
+    let values: Vec<Interval> = values.into_iter().map(|(_, v)| v.value).collect();
+    falls(&values, format!("sup over t ≥ 0 of |e^-t - (1 - t/K)^K|: {}", list.join(", ")))
 }
 
 /// c or c² with which the approximate cut would be exact, over the range.
@@ -194,8 +208,8 @@ pub(super) fn cut(form: CutForm, n: (u32, u32), printed: &Printed) -> Finding {
     }
 }
 
-/// For which n < 16 the printed minimum does occur. At fixed t cosⁿθ rises with n, so the minimum
-/// rises with n; the crossings are bisected and then certified from both sides.
+/// For which n < 16 the printed minimum does occur. The minimum rises with n
+/// (bound::difference_infimum); the crossings are bisected and then certified from both sides.
 fn below_16(printed: &Printed) -> String {
     // Rounded outward: an end of the interval that encloses each exact end.
     let (lowest, highest) = (enclose(&printed.lowest).lo(), enclose(&printed.highest).hi());
@@ -215,12 +229,39 @@ fn below_16(printed: &Printed) -> String {
         return "below 16 the printed value was not located".to_owned();
     }
     let whole = (libm::ceil(from) as i64..=libm::floor(to) as i64).count();
+    // The whole numbers on either side of where it occurs.
+    let (left, right) = (libm::ceil(from) - 1.0, libm::floor(to) + 1.0);
     format!(
         "the printed value occurs for n in [{from:.2}, {to:.2}] only, below the range, which holds {} whole number{} \
-         (n = 10 gives {:.3e}, n = 11 {:.3e})",
+         (n = {left} gives {:.3e}, n = {right} {:.3e})",
         if whole == 0 { "no".to_owned() } else { whole.to_string() },
         if whole == 1 { "" } else { "s" },
-        least(10.0).mid(),
-        least(11.0).mid()
+        least(left).mid(),
+        least(right).mid()
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn overlap_decides_nothing() {
+        let [low, middle, high] = [(0.0, 1.0), (0.5, 1.5), (2.0, 3.0)].map(|(a, b)| Interval::new(a, b));
+        assert_eq!(below(low, high), Verdict::Proved);
+        assert_eq!(below(high, low), Verdict::Refuted);
+        assert_eq!(below(low, middle), Verdict::Undecided);
+        let verdict = |values: &[Interval]| falls(values, String::new()).verdict;
+        assert_eq!(verdict(&[high, middle]), Verdict::Proved);
+        assert_eq!(verdict(&[high, middle, low]), Verdict::Undecided);
+        assert_eq!(verdict(&[low, high, middle]), Verdict::Refuted);
+    }
+
+    /// From n = 32 on the error stands far above what 6/√n changes, and far below what √(6/n) does.
+    #[test]
+    fn a_cuts_effect_is_decided_at_each_n_where_the_range_starts_later() {
+        let verdict = |cut| Judge::default().cut_effect(cut, (32, 1024), Comparison::EachN).verdict;
+        assert_eq!(verdict(Limit::Paper), Verdict::Proved);
+        assert_eq!(verdict(Limit::Card), Verdict::Refuted);
+    }
 }

@@ -12,7 +12,7 @@
 //!    bound in 1/n. Behind the cut Δ = cosⁿθ ≥ 0.
 //! 5. Δ(n, 0) = 1 - 1 = 0, so the minimum is 0, at θ = 0 for every n.
 
-use crate::bound::{Interval, cos_n_range, cut_range, infimum};
+use crate::bound::{Interval, cos_n_range, cut_range, infimum, reciprocal};
 use crate::integral::{Field, Limit};
 
 /// The steps of the proof, as they were checked.
@@ -37,20 +37,20 @@ pub fn prove_minimum(cut: Limit, from: u32, to: u32) -> MinimumProof {
         proof.holds &= holds;
         proof.steps.push(format!("{}: {text}", if holds { "holds" } else { "fails" }));
     };
-    let n = Interval::new(f64::from(from), f64::from(to));
-    let r = n / Interval::from(16.0);
-    // 16/16 is exact, but the division rounds outward; the premise is n ≥ 16 itself.
     step(from >= 16, format!("r = n/16 ≥ 1 for n ≥ {from}"));
     if from < 16 {
         return proof;
     }
-    // Any base in (0, 1] and exponent ≥ 0: e^(exponent · ln base) with a product ≤ 0.
-    let logarithm = Interval::new(f64::MIN_POSITIVE, 1.0).ln();
+    let n = Interval::new(f64::from(from), f64::from(to));
+    let m = reciprocal(n);
+    // Any base in (0, 1] to any power from 0 to r - 1: e^(power · ln base) with a product ≤ 0, up to
+    // the subnormal step by which rounding goes outward.
+    let most = (n / Interval::from(16.0) - Interval::from(1.0)).hi();
+    let product = Interval::new(0.0, most) * Interval::new(f64::MIN_POSITIVE, 1.0).ln();
     step(
-        from >= 16 && r.hi() < f64::INFINITY && logarithm.hi() <= f64::MIN_POSITIVE,
+        product.hi() <= f64::MIN_POSITIVE,
         "0 ≤ (1 - x)^(r - 1) ≤ 1 on [0, 1], so (1 - x)^r ≥ 1 - r x (Bernoulli)".to_owned(),
     );
-    let m = Interval::new(1.0 / f64::from(to), (Interval::from(1.0) / Interval::from(f64::from(from))).hi());
     let zero = cut_range(Limit::ExactZero, m);
     step(
         zero.lo() >= 0.0 && zero.hi() <= 16.0,
@@ -63,11 +63,8 @@ pub fn prove_minimum(cut: Limit, from: u32, to: u32) -> MinimumProof {
         let root = (base.ln() / (Interval::int(16) * *m)).exp();
         root - (t / Interval::int(16) - Interval::int(1))
     };
-    let beyond = match cut {
-        // The cut is the zero itself, or before it: nothing rises again.
-        Limit::ExactZero | Limit::Support | Limit::Card => true,
-        Limit::Paper => infimum(margin, [m], 1e-3, 20_000).value.lo() > 0.0,
-    };
+    // A cut at the zero or before it lets nothing rise again.
+    let beyond = cut_range(cut, m).hi() <= 16.0 || infimum(margin, [m], 1e-3, 20_000).value.lo() > 0.0;
     step(beyond, format!("at the cut ({}) cosⁿθ exceeds what (1) has risen to, for every n", cut.id()));
     let at_0 = cos_n_range(Interval::from(0.0), m);
     step(at_0.contains(1.0) && at_0.width() < 1e-9, "Δ(n, 0) = 1 - 1 = 0".to_owned());
