@@ -13,6 +13,7 @@
 //! | cs_16(n, θ), (1) | [`lobe::cs_16`]; with any cut, as printed: [`lobe::cs_16_cut`] |
 //! | cr_n, the cut of (1) | [`lobe::cut_exact`], [`lobe::cut_paper`], [`lobe::cut_card`] |
 //! | coef(n), Table 1 | [`factor::cos_n_factor`], [`factor::cs_16_factor_printed`], [`factor::cs_16_factor`] |
+//! | 1/(2π Int(n)), what coef(n) stands for | [`exact::cs_factor`], [`exact::cs_16_factor_exact`] |
 //! | the rows of Table 1 | [`model::Model`] |
 //! | (1 - t/K)^K, Lyon's bell | [`bell::bell`] |
 //! | L, N, V, R, H | unit vectors of [`vector`] |
@@ -20,6 +21,7 @@
 
 pub mod bell;
 pub mod constants;
+pub mod exact;
 pub mod factor;
 pub mod lobe;
 pub mod model;

@@ -5,6 +5,7 @@
 #![no_std]
 
 use bellfit::kernel::bell::bell;
+use bellfit::kernel::exact::cs_16_factor_exact;
 use bellfit::kernel::factor::{cos_n_factor, cs_16_factor, cs_16_factor_printed};
 use bellfit::kernel::lobe::{cos_n, cs, cs_16, cs_versine, cut_exact, gaussian, schlick, versine};
 use bellfit::kernel::model::Model;
@@ -40,4 +41,9 @@ pub fn lobes(theta: f64, n: f64) -> [f64; 6] {
         cut_exact(n) - bell::<16, f64>(n),
         f64::from(schlick(1.0 - versine(single), exponent) - cut_exact(exponent)),
     ]
+}
+
+/// Normalised Phong lobe in single precision, with the factor for every n.
+pub fn reflection(cos: f32, n: f32) -> f32 {
+    cs_16_factor_exact(Model::Phong, n) * cs_16(cos, n)
 }
