@@ -17,6 +17,7 @@
 //! | the rows of Table 1 | [`model::Model`] |
 //! | (1 - t/K)^K, Lyon's bell | [`bell::bell`] |
 //! | L, N, V, R, H | unit vectors of [`vector`] |
+//! | (not there) L drawn for V, its density | [`sampling::sample`], [`sampling::pdf`] |
 //! | k_a, k_d, k_s | the fields of [`shading::PhongLambert`] |
 
 pub mod bell;
@@ -26,5 +27,6 @@ pub mod factor;
 pub mod lobe;
 pub mod model;
 pub mod real;
+pub mod sampling;
 pub mod shading;
 pub mod vector;

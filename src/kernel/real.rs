@@ -67,6 +67,8 @@ pub trait Real:
     fn exp(self) -> Self;
     /// 2ˣ.
     fn exp2(self) -> Self;
+    /// eˣ - 1, without the cancellation of the difference.
+    fn expm1(self) -> Self;
     /// Natural logarithm; -∞ at 0, NaN below.
     fn log(self) -> Self;
     /// ln(1 + x), without the cancellation of the sum; -∞ at -1, NaN below.
@@ -138,7 +140,7 @@ macro_rules! real {
     };
 }
 
-real!(f32, sqrt = sqrtf, sin = sinf, cos = cosf, asin = asinf, exp = expf, exp2 = exp2f, log = logf,
-    log1p = log1pf, abs = fabsf; powf);
-real!(f64, sqrt = sqrt, sin = sin, cos = cos, asin = asin, exp = exp, exp2 = exp2, log = log,
-    log1p = log1p, abs = fabs; pow);
+real!(f32, sqrt = sqrtf, sin = sinf, cos = cosf, asin = asinf, exp = expf, exp2 = exp2f, expm1 = expm1f,
+    log = logf, log1p = log1pf, abs = fabsf; powf);
+real!(f64, sqrt = sqrt, sin = sin, cos = cos, asin = asin, exp = exp, exp2 = exp2, expm1 = expm1,
+    log = log, log1p = log1p, abs = fabs; pow);

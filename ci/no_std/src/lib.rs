@@ -9,6 +9,7 @@ use bellfit::kernel::exact::cs_16_factor_exact;
 use bellfit::kernel::factor::{cos_n_factor, cs_16_factor, cs_16_factor_printed};
 use bellfit::kernel::lobe::{cos_n, cs, cs_16, cs_versine, cut_exact, gaussian, schlick, versine};
 use bellfit::kernel::model::Model;
+use bellfit::kernel::sampling::{Profile, pdf, sample};
 use bellfit::kernel::shading::{PhongLambert, phong_lambert_with};
 use bellfit::kernel::vector::{Vec3, dot, half_vector};
 
@@ -28,6 +29,13 @@ pub fn shade(normal: Vec3<f64>, to_light: Vec3<f64>, to_view: Vec3<f64>, n: f64)
     let specular = cs_16_factor_printed::<f64>(Model::Phong).at(n);
     let material = PhongLambert { ambient: 0.1, diffuse: 0.5, specular, n };
     phong_lambert_with(material, 0.2, 1.0, normal, to_light, to_view, cs::<8, f64>)
+}
+
+/// A direction to the light drawn in single precision, and its density.
+pub fn draw(normal: Vec3<f32>, to_view: Vec3<f32>, n: f32, u1: f32, u2: f32) -> Option<(Vec3<f32>, f32)> {
+    let (model, profile) = (Model::BlinnPhong, Profile::Cs16);
+    let to_light = sample(model, profile, n, normal, to_view, u1, u2)?;
+    Some((to_light, pdf(model, profile, n, normal, to_view, to_light)))
 }
 
 /// Every elementary function that the kernels take from `libm`, in both types.
