@@ -181,6 +181,11 @@ impl Edge for Interval {
     }
 
     fn half_power(&self) -> Self {
+        if self.lo() <= 0.0 {
+            // Rising from its limit 0 at m = 0.
+            let hi = if self.hi() > 0.0 { Interval::from(self.hi()).half_power().hi() } else { 0.0 };
+            return Interval::new(0.0, hi);
+        }
         (-(Interval::LN_2 / (Interval::from(2.0) * *self))).exp()
     }
 
@@ -239,5 +244,9 @@ mod tests {
         assert!(Interval::from(0.0).ln().lo() == f64::NEG_INFINITY);
         assert!(Interval::new(0.0, 0.5).pow(Interval::from(3.0)).contains(0.125));
         assert_eq!(Interval::new(0.0, 0.5).pow(Interval::from(3.0)).lo(), 0.0);
+        assert_eq!(Interval::from(0.0).half_power(), Interval::from(0.0));
+        // 2^(-1/(2/8)) = 1/16 at m = 1/8.
+        assert_eq!(Interval::new(0.0, 0.125).half_power().lo(), 0.0);
+        assert!(Interval::new(0.0, 0.125).half_power().contains(0.0625));
     }
 }

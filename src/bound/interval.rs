@@ -10,7 +10,8 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// The closed interval [lo, hi].
 ///
 /// Every operation returns an interval that contains the exact result for every choice of
-/// operands. Division by an interval that contains 0 gives (-∞, ∞).
+/// operands for which it is defined. Division by an interval that contains 0 gives (-∞, ∞), unless 0 is
+/// its lower end and nothing is negative: then the quotients end at +∞ only.
 ///
 /// ```
 /// use bellfit::bound::Interval;
@@ -183,7 +184,9 @@ impl Div for Interval {
             return Interval { lo: down(self.lo / rhs.hi), hi: up(self.hi / rhs.lo) };
         }
         if rhs.contains(0.0) {
-            return Interval::WHOLE;
+            let least = self.lo / rhs.hi.abs();
+            let upward = rhs.lo == 0.0 && self.lo >= 0.0 && !least.is_nan();
+            return if upward { Interval { lo: down(least), hi: f64::INFINITY } } else { Interval::WHOLE };
         }
         let quotients = [self.lo / rhs.lo, self.lo / rhs.hi, self.hi / rhs.lo, self.hi / rhs.hi];
         if quotients.iter().any(|q| q.is_nan()) {
@@ -275,6 +278,15 @@ mod tests {
         assert_eq!(Interval::new(f64::NAN, 1.0), Interval::WHOLE);
         assert_eq!(Interval::new(2.0, 1.0), Interval::WHOLE);
         assert_eq!(Interval::from(1.0) / Interval::new(-1.0, 1.0), Interval::WHOLE);
+        assert_eq!(Interval::from(-1.0) / Interval::new(0.0, 1.0), Interval::WHOLE);
+        assert_eq!(Interval::from(0.0) / Interval::from(0.0), Interval::WHOLE);
+    }
+
+    #[test]
+    fn towards_zero_a_positive_quotient_grows_without_end() {
+        let q = Interval::new(1.0, 2.0) / Interval::new(0.0, 4.0);
+        assert!(q.lo() <= 0.25 && q.lo() > 0.2499 && q.hi() == f64::INFINITY);
+        assert!((Interval::from(1.0) / Interval::from(0.0)).lo() >= f64::MAX);
     }
 
     #[test]

@@ -117,8 +117,12 @@ impl Edge for Jet {
     fn half_power(&self) -> Self {
         // d/dm 2^(-1/(2m)) = 2^(-1/(2m)) ln 2/(2 m²)
         let value = self.value.half_power();
-        let slope = value * Interval::LN_2 / (Interval::from(2.0) * self.value.power(2)) * self.slope;
-        Jet { value, slope }
+        let slope = if self.value.lo() > 0.0 {
+            value * Interval::LN_2 / (Interval::from(2.0) * self.value.power(2))
+        } else {
+            Interval::new(0.0, 1.5625) // its top, 8/(e² ln 2) = 1.5620 at m = ln 2/4
+        };
+        Jet { value, slope: slope * self.slope }
     }
 
     fn min(&self, other: &Self) -> Self {
@@ -168,5 +172,8 @@ mod tests {
         assert!(!slope.is_disjoint(quotient));
         // The enclosure must be worth something: within a tenth.
         assert!(slope.width() < 0.2 * slope.hi());
+        let top = Jet::variable(Interval::from(core::f64::consts::LN_2 / 4.0)).half_power().slope;
+        let from_zero = Jet::variable(Interval::new(0.0, 1.0)).half_power().slope;
+        assert!(from_zero.hi() > top.hi() && from_zero.hi() < 1.001 * top.hi());
     }
 }

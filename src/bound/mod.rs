@@ -1,9 +1,11 @@
 //! Rigorous enclosures: of Int(n), of a residual over all n, of a lobe's distance from another
 //! over all arguments. Nothing here estimates.
 
+mod curve;
 mod difference;
 mod elementary;
 mod exact;
+mod extremes;
 mod fixed;
 mod formula;
 mod gaussian;
@@ -15,6 +17,7 @@ mod polynomial;
 mod residual;
 mod search;
 
+pub use curve::{Curve, curved_range};
 pub use difference::{
     DifferenceExtreme, cos_n_range, cut_effect, cut_numerator, cut_range, difference_infimum,
     difference_supremum, reciprocal,
@@ -29,4 +32,4 @@ pub use interval::Interval;
 pub use jet::{Jet, range};
 pub use polynomial::{Coefficient, Exponents, Polynomial};
 pub use residual::{Extreme, Extremes, Residual, normalises_exactly};
-pub use search::{Supremum, infimum, supremum};
+pub use search::{Supremum, infimum, supremum, supremum_until};

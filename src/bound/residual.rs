@@ -2,9 +2,9 @@
 //! real n of a range.
 
 use super::difference::reciprocal;
-use super::{Coefficient, Exponents, Formula, Interval, Jet, range, supremum};
-use crate::integral::{Case, Edge, Field, Limit, Lobe, scaled_bell, scaled_closed_form, scaled_cos_n};
-use crate::kernel::model::LobeAngle;
+use super::{Coefficient, Exponents, Formula, Interval, Jet, Polynomial, enclose, exact, range, supremum};
+use crate::integral::{Case, Edge, Field, ScaledIntegral};
+use dashu_ratio::RBig;
 
 /// An extreme value with the argument it belongs to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,6 +50,8 @@ impl Extremes {
     }
 }
 
+/// The highest power of ½ that is worked out exactly.
+const MOST_HALVINGS: f64 = 4096.0;
 /// Boxes after which a search over real n settles for what it has.
 const MOST_BOXES: usize = 20_000;
 
@@ -65,12 +67,22 @@ const MOST_BOXES: usize = 20_000;
 /// # Ok::<(), bellfit::bound::FormulaError>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Residual {
-    case: Case,
-    /// Whether the residual is 0 identically for n ≥ 16.
-    exact: bool,
+pub struct Residual<I = Case> {
+    integral: I,
+    /// From which n on the residual is 0 identically, if it ever is.
+    exact_from: Option<f64>,
+    /// 2π coef(n).
+    factor: Compiled<Interval>,
+    quotient: Option<Quotient>,
+}
+
+/// The residual itself as one quotient with exact coefficients, for n ≥ `from`.
+#[derive(Clone, Debug)]
+struct Quotient {
+    from: f64,
     intervals: Compiled<Interval>,
-    jets: Compiled<Jet>,
+    /// Where the formula has no π left.
+    rationals: Option<Compiled<RBig>>,
 }
 
 /// Whether 2π coef(n) Int(n) = 1 identically for n ≥ 16, decided in polynomials; only for integrals
@@ -78,78 +90,129 @@ pub struct Residual {
 ///
 /// An enclosure of a residual that is 0 is never 0 itself; this is.
 pub fn normalises_exactly(case: Case, factor: &Formula) -> bool {
-    let Case { model, lobe, limit } = case;
-    let m = Formula::int(1) / Formula::n();
-    let up_to_zero = matches!(limit, Limit::ExactZero | Limit::Support) && model.angle() == LobeAngle::Full;
-    let scaled = match lobe {
-        Lobe::CosN => scaled_cos_n(model, &m, &Formula::h()),
-        Lobe::Cs16 if up_to_zero => scaled_bell(model, &m, &Formula::int(0)),
-        Lobe::Cs16 => return false,
-    };
-    (factor.times_two_pi() * scaled * m).is_identical(&Formula::int(1))
+    residual_formula(&case, factor).is_some_and(|(from, r)| from <= 16.0 && r.numerator.is_zero())
 }
 
+/// 2π coef(n) Int(n) - 1 with the n from which on it is that, where the integral is rational.
+fn residual_formula(integral: &impl ScaledIntegral, factor: &Formula) -> Option<(f64, Formula)> {
+    let m = Formula::int(1) / Formula::n();
+    let (from, scaled) = integral.rational(&m, &Formula::h())?;
+    let product = factor.times_two_pi() * scaled * m;
+    Some((from, product - Formula::int(1))).filter(|(_, r)| !r.denominator.is_zero())
+}
+
+/// A quotient of polynomials in n, 2^(-n/2) and π with its coefficients read into one arithmetic.
 #[derive(Clone, Debug)]
-struct Compiled<T> {
-    numerator: Vec<(T, Exponents)>,
+struct Compiled<C> {
+    numerator: Vec<(C, Exponents)>,
     numerator_degree: u32,
-    denominator: Vec<(T, Exponents)>,
+    denominator: Vec<(C, Exponents)>,
     denominator_degree: u32,
     has_power_of_two: bool,
+    pi: C,
 }
 
-impl<T: Edge + Coefficient> Compiled<T> {
-    fn new(factor: &Formula) -> Self {
-        let Formula { numerator, denominator } = factor.times_two_pi();
+impl<C> Compiled<C> {
+    fn new(factor: &Formula, compile: impl Fn(&Polynomial) -> Vec<(C, Exponents)>, pi: C) -> Self {
+        let Formula { numerator, denominator } = factor;
         Compiled {
             numerator_degree: numerator.degree(0),
             denominator_degree: denominator.degree(0),
             has_power_of_two: numerator.degree(1) + denominator.degree(1) > 0,
-            numerator: numerator.compile(),
-            denominator: denominator.compile(),
+            numerator: compile(numerator),
+            denominator: compile(denominator),
+            pi,
         }
     }
 
-    /// 2π coef(n)/n at m = 1/n: both polynomials times the power of m that clears their poles.
-    fn per_n(&self, m: &T) -> T {
-        let h = if self.has_power_of_two { m.half_power() } else { T::int(0) };
-        let sum = |terms: &[(T, Exponents)], degree: u32| {
+    /// The quotient times m^factors at m = 1/n: both polynomials times the power of m that clears their
+    /// poles. h is asked for only where there is a power of 2.
+    fn at<T: Field>(&self, m: &T, factors: u32, lift: impl Fn(&C) -> T, h: impl Fn() -> T) -> T {
+        let h = if self.has_power_of_two { h() } else { T::int(0) };
+        let sum = |terms: &[(C, Exponents)], degree: u32| {
             terms.iter().fold(T::int(0), |total, (c, e)| {
-                let mut term = c.clone() * m.power(degree - e[0]);
+                let mut term = lift(c) * m.power(degree - e[0]);
                 if e[1] > 0 {
                     term = term * h.power(e[1]);
                 }
                 if e[2] > 0 {
-                    term = term * T::pi().power(e[2]);
+                    term = term * lift(&self.pi).power(e[2]);
                 }
                 total + term
             })
         };
         let quotient =
             sum(&self.numerator, self.numerator_degree) / sum(&self.denominator, self.denominator_degree);
-        let (up, down) = (1 + self.denominator_degree, self.numerator_degree);
+        let (up, down) = (factors + self.denominator_degree, self.numerator_degree);
         if up >= down { quotient * m.power(up - down) } else { quotient / m.power(down - up) }
-    }
-
-    fn residual(&self, case: Case, m: &T) -> T {
-        self.per_n(m) * scaled_closed_form(case, m) - T::int(1)
     }
 }
 
-impl Residual {
-    /// The residual of `factor` for `case`.
-    pub fn new(case: Case, factor: &Formula) -> Self {
-        let exact = normalises_exactly(case, factor);
-        Residual { case, exact, intervals: Compiled::new(factor), jets: Compiled::new(factor) }
+impl Compiled<Interval> {
+    fn in_intervals(factor: &Formula) -> Self {
+        Compiled::new(factor, Polynomial::compile, Coefficient::pi())
+    }
+}
+
+impl<I: ScaledIntegral> Residual<I> {
+    /// The residual of `factor` for `integral`.
+    pub fn new(integral: I, factor: &Formula) -> Self {
+        let residual = residual_formula(&integral, factor);
+        let exact_from = residual.as_ref().filter(|(_, r)| r.numerator.is_zero()).map(|(from, _)| *from);
+        let exactly = |p: &Polynomial| p.terms().map(|(e, c)| (c.clone(), *e)).collect();
+        let quotient = residual.map(|(from, r)| {
+            let free_of_pi = r.numerator.degree(2) + r.denominator.degree(2) == 0;
+            let rationals = free_of_pi.then(|| Compiled::new(&r, exactly, RBig::int(0)));
+            Quotient { from, intervals: Compiled::in_intervals(&r), rationals }
+        });
+        let factor = Compiled::in_intervals(&factor.times_two_pi());
+        Residual { integral, exact_from, factor, quotient }
+    }
+
+    pub(super) fn is_exact(&self, n: f64) -> bool {
+        self.exact_from.is_some_and(|from| n >= from)
     }
 
     /// The residual at one n.
     pub fn at(&self, n: f64) -> Interval {
-        if self.exact && n >= 16.0 {
+        if self.is_exact(n) {
             return Interval::from(0.0);
         }
         let m = reciprocal(Interval::from(n));
-        self.intervals.residual(self.case, &m)
+        self.of_m(n, &m, |c| *c)
+    }
+
+    /// The residual as a function of m = 1/n, for n ≥ `from`, over an arithmetic that intervals can be
+    /// lifted into.
+    pub(super) fn of_m<T: Edge>(&self, from: f64, m: &T, lift: impl Fn(&Interval) -> T) -> T {
+        self.factor.at(m, 1, lift, || m.half_power()) * self.integral.scaled_from(from, m) - T::int(1)
+    }
+
+    /// The same as one quotient, where it is one for every n ≥ `from`: what a good factor cancels is then
+    /// cancelled in its coefficients, so that a small residual costs no more boxes than a large one.
+    pub(super) fn cancelled<T: Edge>(&self, from: f64, m: &T, lift: impl Fn(&Interval) -> T) -> T {
+        match &self.quotient {
+            Some(q) if from >= q.from => q.intervals.at(m, 0, lift, || m.half_power()),
+            _ => self.of_m(from, m, lift),
+        }
+    }
+
+    /// The same at one m in exact arithmetic: at m = 0 and at even n, so that a residual of 0 at an end
+    /// of a range is known to be 0.
+    pub(super) fn in_rationals(&self, m: f64) -> Option<Interval> {
+        let quotient = self.quotient.as_ref()?;
+        let compiled = quotient.rationals.as_ref()?;
+        let h = if m == 0.0 {
+            RBig::int(0)
+        } else {
+            let half_n = 0.5 / m;
+            let is_even = 0.5 / half_n == m && half_n == libm::floor(half_n) && half_n <= MOST_HALVINGS;
+            is_even.then(|| RBig::int(1) / RBig::int(2).power(half_n as u32))?
+        };
+        if m * quotient.from > 1.0 || compiled.numerator_degree > compiled.denominator_degree {
+            return None;
+        }
+        Some(enclose(&compiled.at(&exact(m)?, 0, RBig::clone, || h.clone())))
     }
 
     /// The extremes over the integers from..=to.
@@ -164,7 +227,7 @@ impl Residual {
     /// The extremes over every real n in [from, to], by branch and bound in m = 1/n with
     /// first derivatives, to about six digits of the larger of them, and never finer than 1e-9.
     pub fn over_reals(&self, from: f64, to: f64) -> Extremes {
-        if self.exact && from >= 16.0 {
+        if self.is_exact(from) {
             let zero = Extreme { value: Interval::from(0.0), n: from };
             return Extremes { max: zero, min: zero };
         }
@@ -173,7 +236,7 @@ impl Residual {
         let tolerance = (1e-6 * size).max(1e-9);
         let search = |sign: f64| {
             let oriented = |[m]: &[Interval; 1]| {
-                let found = range(|m| self.jets.residual(self.case, &m), *m);
+                let found = range(|m| self.of_m(from, &m, |c| Jet::constant(*c)), *m);
                 if sign > 0.0 { found } else { -found }
             };
             let found = supremum(oriented, [m], tolerance, MOST_BOXES);

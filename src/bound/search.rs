@@ -56,6 +56,16 @@ pub fn supremum<const D: usize>(
     tolerance: f64,
     most: usize,
 ) -> Supremum<D> {
+    supremum_until(f, domain, |best, upper| upper <= best + tolerance, most)
+}
+
+/// The same, until `enough` is satisfied with the best value seen and the upper bound.
+pub fn supremum_until<const D: usize>(
+    f: impl Fn(&[Interval; D]) -> Interval,
+    domain: [Interval; D],
+    enough: impl Fn(f64, f64) -> bool,
+    most: usize,
+) -> Supremum<D> {
     let mut best = f64::NEG_INFINITY;
     let mut at = domain.map(Interval::mid);
     let mut sample = |cell: &[Interval; D], best: &mut f64| {
@@ -72,7 +82,7 @@ pub fn supremum<const D: usize>(
     let mut boxes = 1;
     let upper = loop {
         let Some(top) = heap.pop() else { break best };
-        if top.upper <= best + tolerance || boxes >= most {
+        if enough(best, top.upper) || boxes >= most {
             break top.upper.max(best);
         }
         let side = widest(&top.cell, &domain);

@@ -57,7 +57,7 @@ pub fn certified_least_squares(
                 let p = scaled / half_divisor.clone();
                 (p.clone(), p / n, Fixed::int(1))
             }
-            Objective::Minimax => {
+            Objective::Minimax | Objective::OneSided | Objective::OneSidedRounded => {
                 let case = problem.case.to_string();
                 return Err(FitError::NoOptimum { method: "least squares", case });
             }

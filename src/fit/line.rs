@@ -1,5 +1,6 @@
 //! (a n + b)/(divisor π) with a and b as decimals: what is printed is what is certified.
 
+use super::digits::round_to;
 use crate::bound::{Formula, decimal, power_of_ten};
 use crate::integral::Field;
 use dashu_ratio::RBig;
@@ -84,19 +85,6 @@ impl core::fmt::Display for Line {
             None => write!(f, "({a} n + {b})/({divisor}π)"),
         }
     }
-}
-
-/// The shortest decimal of x rounded to so many significant digits, never in exponent form
-/// between 1e-4 and 1e15; what is below half of the last of 12 decimals of 1 counts as 0, being
-/// the rounding of a fit whose other unknown is near 1.
-fn round_to(x: f64, digits: usize) -> String {
-    if x.abs() < 5e-13 {
-        return "0".to_owned();
-    }
-    let text = format!("{x:.*e}", digits.saturating_sub(1));
-    // Reading back and printing gives the shortest decimal, which has at most `digits` digits.
-    let rounded: f64 = text.parse().unwrap_or(x);
-    format!("{rounded}")
 }
 
 /// The decimal that an exact number is, `None` if its digits never end.

@@ -1,20 +1,38 @@
-//! Fits of coef(n) = (a n + b)/(divisor π) to 2π coef(n) Int(n) = 1, by routes that check one
-//! another: QR, exchange, a simplex search, and enclosures of the least-squares solution itself.
+//! Fits of coef(n) to 2π coef(n) Int(n) = 1.
+//!
+//! The papers' line (a n + b)/(divisor π) over the integers, by routes that check one another: QR,
+//! exchange, a simplex search, and enclosures of the least-squares solution itself ([`fit_case`]). And
+//! every [`FactorForm`] over every real n of a range, for any
+//! [`ScaledIntegral`](crate::integral::ScaledIntegral), to both sides or never above 0 ([`fit_factor`]).
 
 mod certified;
+mod continuum;
+mod digits;
+mod exchange;
+mod factor;
+mod factor_row;
+mod form;
 mod least_squares;
 mod line;
 mod minimax;
 mod nearest;
 mod nonlinear;
+mod one_sided;
 mod problem;
+mod ratio;
+mod reals;
+mod shortest;
 mod table;
 
 pub use certified::{CertifiedFit, certified_least_squares, scaled_integrals};
+pub use factor::Factor;
+pub use factor_row::{DIGITS, FactorRow, SHORT_DIGITS, factor_rows, fit_factor};
+pub use form::FactorForm;
 pub use least_squares::least_squares;
 pub use line::Line;
 pub use minimax::{Minimax, minimax};
 pub use nearest::{Nearest, nearest};
 pub use nonlinear::simplex_search;
 pub use problem::{FitError, Form, Objective, Problem};
-pub use table::{FitRow, fit_case};
+pub use reals::Reals;
+pub use table::{FitRow, fit_case, one_sided_lines};

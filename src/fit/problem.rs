@@ -15,11 +15,17 @@ pub enum Objective {
     LsRelative,
     /// max |res(n)|.
     Minimax,
+    /// max -res(n), with res(n) ≤ 0 for every real n of the range: the factor never gains energy.
+    OneSided,
+    /// The same over all parameters of so many significant digits.
+    OneSidedRounded,
 }
 
 impl Objective {
-    /// All three, in the tables' order.
+    /// Those that err to both sides, in the tables' order.
     pub const ALL: [Objective; 3] = [Objective::LsAbsolute, Objective::LsRelative, Objective::Minimax];
+    /// Those that never gain energy.
+    pub const ONE_SIDED: [Objective; 2] = [Objective::OneSided, Objective::OneSidedRounded];
 
     /// The name in files and on the command line.
     pub const fn id(self) -> &'static str {
@@ -27,10 +33,12 @@ impl Objective {
             Objective::LsAbsolute => "ls-absolute",
             Objective::LsRelative => "ls-relative",
             Objective::Minimax => "minimax",
+            Objective::OneSided => "one-sided",
+            Objective::OneSidedRounded => "one-sided-rounded",
         }
     }
 
-    /// The objective of that name.
+    /// The objective of [`Objective::ALL`] of that name.
     pub fn from_id(id: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|objective| objective.id() == id)
     }
@@ -73,6 +81,22 @@ pub enum FitError {
         from: u32,
         /// Last n.
         to: u32,
+    },
+    /// No range of real n.
+    #[error("n = \"{text}\": a range A..B of real n needs 1 ≤ A < B; B may be inf")]
+    Reals {
+        /// As given.
+        text: String,
+    },
+    /// An objective that a form, range or number of digits does not have.
+    #[error("{objective}, {form}: {reason}")]
+    Unsupported {
+        /// The objective's name.
+        objective: &'static str,
+        /// The form's name.
+        form: &'static str,
+        /// Why, with the value and the domain.
+        reason: String,
     },
     /// Fewer values of n than the form has unknowns (minimax: one more).
     #[error("n = {from}..{to}: {needed} values of n are needed and {} given", to - from + 1)]

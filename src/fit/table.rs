@@ -1,6 +1,10 @@
 //! One fit from problem to certificate: solved twice, rounded, then certified.
 
-use super::{FitError, Form, Line, Objective, Problem, least_squares, minimax, simplex_search};
+use super::factor_row::shortest_factors;
+use super::{
+    FactorRow, FitError, Form, Line, Objective, Problem, Reals, fit_factor, least_squares, minimax,
+    simplex_search,
+};
 use crate::bound::{Extremes, Residual};
 use crate::integral::Case;
 
@@ -26,7 +30,8 @@ const AGREEMENT: f64 = 1e-6;
 
 /// Fits `problem`, rounds to `digits` significant decimals and certifies what was rounded.
 ///
-/// Every linear least-squares fit is repeated by a nonlinear search.
+/// Every linear least-squares fit is repeated by a nonlinear search. A one-sided fit is over every real n
+/// of the range, as [`fit_factor`] makes it.
 ///
 /// # Errors
 /// [`FitError::Disagreement`] if the two differ by more than 1e-6; else what the methods report.
@@ -36,6 +41,11 @@ pub fn fit_case(
     form: Form,
     digits: usize,
 ) -> Result<FitRow, FitError> {
+    if Objective::ONE_SIDED.contains(&objective) {
+        let range = Reals::new(f64::from(problem.from), f64::from(problem.to))?;
+        let row = fit_factor(&problem.case, range, form.into(), objective, digits)?;
+        return as_line(problem, row);
+    }
     let (a, b, alternation) = if objective == Objective::Minimax {
         let best = minimax(problem, form)?;
         (best.a, best.b, best.alternation)
@@ -65,5 +75,30 @@ pub fn fit_case(
         reals: residual.over_reals(f64::from(problem.from), f64::from(problem.to)),
         line,
         alternation,
+    })
+}
+
+/// The one-sided rows of the tables of lines: to `DIGITS`, then the shortest for each of `SHORT_DIGITS`; b = 0
+/// where that suffices, as [`super::factor_rows`] decides.
+///
+/// # Errors
+/// As for [`super::factor_rows`].
+pub fn one_sided_lines(problem: &Problem) -> Result<Vec<FitRow>, FitError> {
+    let range = Reals::new(f64::from(problem.from), f64::from(problem.to))?;
+    shortest_factors(&problem.case, range)?.into_iter().map(|row| as_line(problem, row)).collect()
+}
+
+/// The same row with its residual over the integers beside that over the reals.
+fn as_line(problem: &Problem, row: FactorRow) -> Result<FitRow, FitError> {
+    let failure = || FitError::NoOptimum { method: "rounding", case: problem.case.to_string() };
+    let line = row.factor.line().ok_or_else(failure)?;
+    let residual = Residual::new(problem.case, line.formula());
+    Ok(FitRow {
+        case: problem.case,
+        objective: row.objective,
+        integers: residual.over_integers(problem.from, problem.to),
+        reals: row.extremes,
+        line,
+        alternation: row.alternation,
     })
 }

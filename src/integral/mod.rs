@@ -8,6 +8,7 @@ mod field;
 mod gauss;
 mod limit;
 mod routes;
+mod scaled;
 
 pub use closed::{closed_form, scaled_bell, scaled_closed_form, scaled_cos_n, scaled_versine};
 pub use exponential::{Estimate, double_exponential};
@@ -15,3 +16,4 @@ pub use field::{Edge, Field};
 pub use gauss::{GaussLegendre, GaussTable, gauss_legendre};
 pub use limit::{Case, Limit, Lobe};
 pub use routes::{AGREEMENT, Disagreement, Routes};
+pub use scaled::ScaledIntegral;

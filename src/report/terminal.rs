@@ -5,7 +5,7 @@ use super::number::{enclosure, short};
 use super::study::Study;
 use super::summary::summaries;
 use crate::bound::Extremes;
-use crate::fit::FitRow;
+use crate::fit::{FactorRow, FitRow, Objective};
 use crate::verdict::Judgement;
 use serde::Serialize;
 use std::fmt::Write;
@@ -37,17 +37,19 @@ pub fn judgement_lines(judgements: &[Judgement]) -> String {
     text
 }
 
+/// From the lower end of the smallest to the upper end of the largest.
+fn span(e: &Extremes) -> String {
+    format!(
+        "{} (n = {}) to {} (n = {})",
+        short(e.min.value.lo()),
+        short(e.min.n),
+        short(e.max.value.hi()),
+        short(e.max.n)
+    )
+}
+
 /// A fit with its certified residuals, for readers.
 pub fn fit_lines(row: &FitRow, n: (u32, u32)) -> String {
-    let span = |e: &Extremes| {
-        format!(
-            "{} (n = {}) to {} (n = {})",
-            short(e.min.value.lo()),
-            short(e.min.n),
-            short(e.max.value.hi()),
-            short(e.max.n)
-        )
-    };
     let mut text = format!(
         "{}, n = {}..{}, {}\ncoef(n) = {}\nresidual 2π coef(n) Int(n) - 1, certified:\n  over the integers     {}\n  over every real n     {}\n",
         row.case,
@@ -113,6 +115,97 @@ pub fn fit_json(row: &FitRow, n: (u32, u32)) -> Result<String, ArtifactError> {
         real_n_at_min: row.reals.min.n,
         evidence: "certified",
         alternation: &row.alternation,
+    };
+    let text =
+        serde_json::to_string_pretty(&json).map_err(|error| ArtifactError::Table(error.to_string()))?;
+    Ok(text + "\n")
+}
+
+/// A factor fitted over reals with its certified residual, for readers.
+pub fn factor_lines(row: &FactorRow) -> String {
+    let mut text = format!(
+        "{}, {}, {}, n = {}, {}, {}\ncoef(n) = {}\nresidual 2π coef(n) Int(n) - 1, certified over every real n:\n  {}\n",
+        row.model.id(),
+        row.lobe,
+        row.limit,
+        row.range,
+        row.form().id(),
+        row.objective.id(),
+        row.factor,
+        span(&row.extremes),
+    );
+    let (optimum, excess) = (short(row.optimum), short(row.excess));
+    let sentence = match (Objective::ONE_SIDED.contains(&row.objective), row.optimum > 0.0) {
+        (true, false) => format!("it gains nothing and loses at most {excess}"),
+        (true, true) => format!(
+            "it gains nothing; this form must lose {} somewhere, and this factor loses at most {excess} more",
+            short(row.least_loss())
+        ),
+        (false, false) => format!("its |residual| is at most {excess}"),
+        (false, true) => format!(
+            "|residual| of this form must reach {optimum} somewhere; this factor's exceeds that by at most {excess}"
+        ),
+    };
+    let _ = writeln!(text, "{sentence}");
+    if row.objective == Objective::Minimax && !row.alternation.is_empty() {
+        let at: Vec<String> = row.alternation.iter().map(|n| short(*n)).collect();
+        let _ = writeln!(text, "before rounding the residual alternates at n = {}", at.join(", "));
+    }
+    text
+}
+
+#[derive(Serialize)]
+struct FactorJson<'a> {
+    model: &'static str,
+    lobe: &'a str,
+    limit: &'static str,
+    form: &'static str,
+    formula: &'static str,
+    objective: &'static str,
+    n_from: f64,
+    n_to: Option<f64>,
+    parameters: &'a [String],
+    divisor: u32,
+    digits: usize,
+    max_residual: f64,
+    n_at_max: Option<f64>,
+    min_residual: f64,
+    n_at_min: Option<f64>,
+    over: &'static str,
+    evidence: &'static str,
+    optimum: f64,
+    excess: f64,
+    alternation: Vec<Option<f64>>,
+}
+
+/// The same as one JSON object; parameters as strings, the decimals that were certified, and an infinite
+/// n as null.
+///
+/// # Errors
+/// If the text cannot be made, which no finite number causes.
+pub fn factor_json(row: &FactorRow) -> Result<String, ArtifactError> {
+    let finite = |n: f64| Some(n).filter(|n| n.is_finite());
+    let json = FactorJson {
+        model: row.model.id(),
+        lobe: &row.lobe,
+        limit: row.limit,
+        form: row.form().id(),
+        formula: row.form().formula(),
+        objective: row.objective.id(),
+        n_from: row.range.from(),
+        n_to: finite(row.range.to()),
+        parameters: row.factor.parameters(),
+        divisor: row.factor.divisor(),
+        digits: row.digits,
+        max_residual: row.extremes.max.value.hi(),
+        n_at_max: finite(row.extremes.max.n),
+        min_residual: row.extremes.min.value.lo(),
+        n_at_min: finite(row.extremes.min.n),
+        over: FactorRow::OVER,
+        evidence: "certified",
+        optimum: row.optimum,
+        excess: row.excess,
+        alternation: row.alternation.iter().map(|n| finite(*n)).collect(),
     };
     let text =
         serde_json::to_string_pretty(&json).map_err(|error| ArtifactError::Table(error.to_string()))?;

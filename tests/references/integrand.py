@@ -30,6 +30,8 @@ def round_fraction(value, count):
 def exact(x):
     """The exact value of an exact arb, or of an mpf."""
     mantissa, exponent = (int(part) for part in (x.man_exp if isinstance(x, mpf) else x.man_exp()))
+    if isinstance(x, mpf) and x < 0:  # mpmath keeps the sign apart
+        mantissa = -mantissa
     return Fraction(mantissa) * Fraction(2) ** exponent
 
 
