@@ -6,10 +6,12 @@
 #[path = "support/draw.rs"]
 mod draw;
 
+use bellfit::integral::albedo::{Profile, Reflectance, directional_albedo_plain};
 use bellfit::integral::{AGREEMENT, Case, GaussTable, Limit, Lobe, gauss_legendre};
+use bellfit::kernel::lobe::cos_n_versine;
 use bellfit::kernel::model::Model;
 use bellfit::paper::{ClaimsError, ClaimsFile, LOBE_PAPER};
-use bellfit::verdict::{Judge, Judgement, Verdict};
+use bellfit::verdict::{Evidence, Judge, Judgement, Verdict};
 use core::f64::consts::PI;
 use draw::Draw;
 
@@ -165,6 +167,19 @@ fn what_a_kind_has_no_use_for_is_told() {
     assert_mistake(&file("mine", &off_support), &["cos-n", "support only"]);
     for (reading, words) in [
         ("kind = ¦\"energy\"", vec!["energy", "`model`"]),
+        (
+            "kind = \"energy-at-every-angle\"\nmodel = \"phong\"\nuse = ¦\"microfacet\"\nfactor = \"n\"\nn = \"16..64\"",
+            vec!["phong", "no use", "microfacet"],
+        ),
+        (
+            "kind = \"energy-at-every-angle\"\nmodel = \"phong\"\nuse = ¦\"normals\"\nfactor = \"n\"\nn = \"16..64\"",
+            vec!["use", "normals", "printed, microfacet"],
+        ),
+        (
+            "kind = \"energy-at-every-angle\"\nmodel = \"phong\"\nlimit = ¦\"support\"\nfactor = \"n\"\nn = \"16..64\"",
+            vec!["energy-at-every-angle", "no `limit`"],
+        ),
+        ("kind = ¦\"energy-at-every-angle\"\nmodel = \"phong\"\nn = \"16..64\"", vec!["`factor`"]),
         ("kind = \"bell-falls\"\npowers = ¦[8, 4]", vec!["powers", "ascending"]),
         ("kind = \"bell-falls\"\npowers = ¦[8]", vec!["powers"]),
         ("kind = \"bell-falls\"\npowers = ¦[8, 128]", vec!["powers", "64"]),
@@ -339,6 +354,45 @@ fn true_claims_are_proved() {
     // Exactly on the law's edge: 17/16 normalises, and no rounding may call that a gain.
     let edge = (Model::Phong, "1.0625*n/(2*pi)", [1.0625, 0.0, 2.0], Limit::Support);
     assert_ne!(one(&energy_claim(edge, "reals")).verdict, Verdict::Refuted);
+}
+
+/// At every angle: too large a factor is refuted with an angle, a smaller one is reproduced and never
+/// proved, and a factor that is exact leaves an estimate nothing to say.
+#[test]
+fn energy_at_every_angle_is_estimated() {
+    let claim = |model: &str, usage: &str, lobe: &str, factor: &str| {
+        one(&format!(
+            "kind = \"energy-at-every-angle\"\nmodel = \"{model}\"\nuse = \"{usage}\"\nlobe = \"{lobe}\"\n\
+             factor = \"{factor}\"\nn = \"16..64\""
+        ))
+    };
+    for (model, usage, lobe, factor, verdict) in [
+        ("phong", "printed", "cs16", "1.07*n/(2*pi)", Verdict::Refuted),
+        ("phong", "printed", "cs16", "1.0624*n/(2*pi)", Verdict::Reproduced),
+        ("phong", "printed", "cos-n", "(n + 1)/(2*pi)", Verdict::Undecided),
+        ("blinn-phong-modified", "printed", "cos-n", "(n + 5)/(8*pi)", Verdict::Reproduced),
+        ("blinn-phong-modified", "printed", "cos-n", "(n + 9)/(8*pi)", Verdict::Refuted),
+        ("blinn-phong-heightfield", "microfacet", "cos-n", "1.001*(n + 2)/(2*pi)", Verdict::Refuted),
+        ("blinn-phong-heightfield", "microfacet", "cos-n", "0.999*(n + 2)/(2*pi)", Verdict::Reproduced),
+        // Along the normal the horizon hides enough of this one at n = 16, but not at n = 64.
+        ("blinn-phong-ndf", "printed", "cos-n", "1.001*(n + 1)/(2*pi)", Verdict::Refuted),
+        ("phong", "printed", "cs16", "1/(n - 20)", Verdict::Undecided),
+        ("phong", "printed", "cs16", "-n", Verdict::Reproduced),
+    ] {
+        let found = claim(model, usage, lobe, factor);
+        assert_eq!(found.verdict, verdict, "{model}, {usage}, {factor}: {found:?}");
+        assert_eq!(found.evidence, Some(Evidence::Estimated), "{factor}");
+        assert!(found.witness.contains('θ'), "{factor}: {}", found.witness);
+    }
+    let gains = claim("blinn-phong-heightfield", "microfacet", "cos-n", "1.001*(n + 2)/(2*pi)");
+    let (_, angle) = gains.witness.rsplit_once("at θ = ").unwrap();
+    let angle: f64 = angle.split('°').next().unwrap().parse().unwrap();
+    let lobe = |w: f64| cos_n_versine(w, witness(&gains));
+    let profile = Profile::new(&lobe, 1.0, witness(&gains)).unwrap();
+    let factor = 1.001 * (witness(&gains) + 2.0) / (2.0 * PI);
+    let of = Reflectance::HeightfieldMicrofacet;
+    let at = directional_albedo_plain(of, &profile, factor, angle.to_radians()).unwrap();
+    assert!(angle < 90.0 && at.value > 1.0 + 1e-6, "{angle}°: {at:?}");
 }
 
 #[test]

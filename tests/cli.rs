@@ -150,10 +150,12 @@ fn the_example_claims_hold_and_a_false_one_is_refuted() {
     let verdicts = bellfit(&["verify", path]);
     assert_eq!(verdicts.status.code(), Some(0), "{}", stdout(&verdicts));
     assert_eq!(stdout(&verdicts).matches(": proved.").count(), 5);
+    // What rests on quadrature holds too, and is not called proved.
+    assert_eq!(stdout(&verdicts).matches(": reproduced.").count(), 1);
 
     let json: serde_json::Value =
         serde_json::from_slice(&bellfit(&["verify", path, "--json"]).stdout).expect("JSON");
-    assert_eq!(json.as_array().map(Vec::len), Some(5));
+    assert_eq!(json.as_array().map(Vec::len), Some(6));
     assert_eq!(json[0]["verdict"], "proved");
 
     // 1.07 n/2π on the whole support is 1.07 · 16/17 - 1 = 7.0588e-3 too much at every n.

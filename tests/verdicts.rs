@@ -33,7 +33,11 @@ fn nothing_is_undecided_and_every_printed_number_is_certified() {
     assert_eq!(ids, all, "the lobe paper's claims, and no others");
     for judgement in judgements() {
         let name = format!("{}, {}", judgement.claim, judgement.reading);
-        assert!(!matches!(judgement.verdict, Verdict::Undecided | Verdict::Reproduced), "{name}");
+        assert_ne!(judgement.verdict, Verdict::Undecided, "{name}");
+        // What is proved is certified, and what rests on less is reproduced at best.
+        let certified = judgement.evidence == Some(Evidence::Certified);
+        assert!(judgement.verdict != Verdict::Proved || certified, "{name}");
+        assert!(judgement.verdict != Verdict::Reproduced || !certified, "{name}");
         if !judgement.printed.is_empty() {
             assert_eq!(judgement.evidence, Some(Evidence::Certified), "{name}");
             assert!(judgement.computed.is_some(), "{name}");
@@ -80,6 +84,33 @@ fn the_papers_bounds_against_hand_made_values() {
     assert!((brief.mid() - libm::exp(-3.0)).abs() < 3e-4);
     // Δ is never negative: the printed minimum is refuted under every cut.
     assert!(judgements().iter().filter(|j| j.claim == "L6").all(|j| j.verdict == Verdict::Refuted));
+}
+
+/// Energy at every angle: the values along the normal are the integrals' own, and nothing is certified.
+#[test]
+fn every_angle_is_judged_on_estimates() {
+    let of = |reading: &str| of("L13", reading);
+    // 1.063 · 16/17 for Phong and the whole of the NDF; 1 + 13/10200 for the modified and the heightfield.
+    for (reading, value) in [
+        ("phong, every angle", 1.0 + 8.0 / 17000.0),
+        ("blinn-phong-ndf, every angle/printed", 1.0 + 8.0 / 17000.0),
+        ("phong-modified, every angle", 1.0 + 13.0 / 10200.0),
+        ("blinn-phong-heightfield, every angle/microfacet", 1.0 + 13.0 / 10200.0),
+    ] {
+        let found = of(reading);
+        assert_eq!(found.verdict, Verdict::Refuted, "{reading}");
+        let computed = found.computed.expect("a value");
+        assert!((computed.mid() - value).abs() < 1e-12 && computed.lo() > 1.0, "{reading}: {computed:?}");
+    }
+    assert!(of("blinn-phong-heightfield, every angle/microfacet").witness.contains("at θ = 89."));
+    // (1.063/(2π)) · 2π ∫ cs_16 cos α dw = 1.063 · (16/17) (1 - 8 m/9), nearest to 1 at n = 1024.
+    let normals = of("blinn-phong-ndf, every angle/microfacet");
+    let value = 1.063 * 16.0 / 17.0 * (1.0 - 8.0 / 9.0 / 1024.0);
+    assert_eq!(normals.verdict, Verdict::Reproduced);
+    assert!((normals.computed.expect("a value").mid() - value).abs() < 1e-12);
+    for judgement in judgements().iter().filter(|j| j.reading.contains("every angle")) {
+        assert_eq!(judgement.evidence, Some(Evidence::Estimated), "{}", judgement.reading);
+    }
 }
 
 #[test]

@@ -130,6 +130,10 @@ impl Curve {
 }
 
 impl Edge for Curve {
+    fn between(lo: f64, hi: f64) -> Self {
+        Curve::constant(Interval::new(lo, hi))
+    }
+
     fn sqrt(&self) -> Self {
         // (√x)' = 1/(2√x), (√x)'' = -1/(4 x √x)
         let value = self.value.square_root();

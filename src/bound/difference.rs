@@ -30,11 +30,20 @@ impl DifferenceExtreme {
     }
 }
 
-/// cosⁿθ = (1 - t m)^(1/m) over a box of t ≥ 0 and m > 0: it falls in both, so two corners tell.
+/// cosⁿθ = (1 - t m)^(1/m) over a box of t ≥ 0 and m ≥ 0: it falls in both, so two corners tell; at
+/// m = 0 it is its limit e⁻ᵗ.
 pub fn cos_n_range(t: Interval, m: Interval) -> Interval {
+    let limit = |t: f64| (-Interval::from(t)).exp();
+    if m.hi() == 0.0 {
+        return Interval::new(limit(t.hi()).lo(), limit(t.lo()).hi());
+    }
     let base = |t: f64, m: f64| Interval::from(1.0) - Interval::from(t) * Interval::from(m);
     let low = Interval::root_below(base(t.hi(), m.hi()).lo(), m.hi());
-    let high = Interval::root_above(base(t.lo(), m.lo()).hi(), m.lo());
+    let high = if m.lo() == 0.0 {
+        limit(t.lo()).hi()
+    } else {
+        Interval::root_above(base(t.lo(), m.lo()).hi(), m.lo()).min(limit(t.lo()).hi())
+    };
     Interval::new(low, high)
 }
 

@@ -163,6 +163,10 @@ pub(super) fn versine_ratio_slope(y: Interval) -> Interval {
 }
 
 impl Edge for Interval {
+    fn between(lo: f64, hi: f64) -> Self {
+        Interval::new(lo, hi)
+    }
+
     fn sqrt(&self) -> Self {
         self.square_root()
     }

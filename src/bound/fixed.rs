@@ -49,6 +49,11 @@ impl Fixed {
         (end(&self.lo), end(&self.hi))
     }
 
+    /// The smallest interval that holds both.
+    pub fn hull(self, other: Self) -> Self {
+        Fixed { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
+    }
+
     /// The same interval in doubles, rounded outward.
     pub fn to_interval(&self) -> Interval {
         let (lo, hi) = self.ends();
@@ -125,6 +130,11 @@ impl Field for Fixed {
 }
 
 impl Edge for Fixed {
+    fn between(lo: f64, hi: f64) -> Self {
+        let end = |x: f64| super::exact(x).map_or_else(|| Self::int(0), |r| Fixed::rational(&r));
+        Fixed { lo: end(lo).lo, hi: end(hi).hi }
+    }
+
     fn sqrt(&self) -> Self {
         // √(v 2^-128) = √(v 2^128) 2^-128; the integer root rounds down.
         let root = |v: &IBig| {
@@ -142,8 +152,7 @@ impl Edge for Fixed {
     fn half_power(&self) -> Self {
         // Only cosⁿ needs it, and its fits never come near a tie: the doubles' enclosure serves.
         let coarse = self.to_interval().half_power();
-        let end = |x: f64| super::exact(x).map(|r| Fixed::rational(&r)).unwrap_or_else(|| Self::int(0));
-        Fixed { lo: end(coarse.lo()).lo, hi: end(coarse.hi()).hi }
+        Self::between(coarse.lo(), coarse.hi())
     }
 
     fn min(&self, other: &Self) -> Self {

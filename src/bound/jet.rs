@@ -105,6 +105,10 @@ impl Field for Jet {
 }
 
 impl Edge for Jet {
+    fn between(lo: f64, hi: f64) -> Self {
+        Jet::constant(Interval::new(lo, hi))
+    }
+
     fn sqrt(&self) -> Self {
         let value = self.value.square_root();
         Jet { value, slope: self.slope / (Interval::from(2.0) * value) }

@@ -1,6 +1,7 @@
 //! Rigorous enclosures: of Int(n), of a residual over all n, of a lobe's distance from another
 //! over all arguments. Nothing here estimates.
 
+mod bell;
 mod curve;
 mod difference;
 mod elementary;
@@ -9,14 +10,18 @@ mod extremes;
 mod fixed;
 mod formula;
 mod gaussian;
+mod gradient;
 mod inequality;
 mod integrals;
 mod interval;
 mod jet;
+mod lobe_integral;
 mod polynomial;
+mod quadrature;
 mod residual;
 mod search;
 
+pub use bell::{BellProof, cosine_bell, exponential_bell};
 pub use curve::{Curve, curved_range};
 pub use difference::{
     DifferenceExtreme, cos_n_range, cut_effect, cut_numerator, cut_range, difference_infimum,
@@ -26,10 +31,13 @@ pub use exact::{decimal, enclose, exact, power_of_ten};
 pub use fixed::Fixed;
 pub use formula::{Formula, FormulaError};
 pub use gaussian::{Gaussian, bell_distance, gaussian_distance};
+pub use gradient::Gradient;
 pub use inequality::{Decision, less_for_all};
 pub use integrals::{IntegralRow, IntegralTable, integral_enclosure};
 pub use interval::Interval;
 pub use jet::{Jet, range};
+pub use lobe_integral::LobeIntegral;
 pub use polynomial::{Coefficient, Exponents, Polynomial};
+pub use quadrature::EnclosedRule;
 pub use residual::{Extreme, Extremes, Residual, normalises_exactly};
-pub use search::{Supremum, infimum, supremum, supremum_until};
+pub use search::{Supremum, infimum, supremum, supremum_near, supremum_until};

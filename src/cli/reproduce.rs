@@ -7,6 +7,8 @@ use clap::Args;
 use std::fmt::Write;
 use std::io::IsTerminal;
 use std::path::PathBuf;
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 /// Regenerate fits/ and reports/ from the papers' claims, and print the verdicts.
 #[derive(Debug, Args)]
@@ -32,11 +34,23 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome> {
     if root.exists() && !root.is_dir() {
         bail!("{}: not a folder", root.display());
     }
-    if std::io::stderr().is_terminal() {
-        eprintln!("integrating, fitting, proving ...");
-    }
-    let study = Study::run()?;
+    let start = Instant::now();
+    let watched = std::io::stderr().is_terminal();
+    let stages = Mutex::new(Vec::new());
+    let stage = |name: &str, took: Duration| {
+        if watched {
+            eprintln!("{name:<24} {:>6.2} s", took.as_secs_f64());
+        }
+        let mut stages = stages.lock().unwrap_or_else(PoisonError::into_inner);
+        stages.push(format!("{name} {:.1}", took.as_secs_f64()));
+    };
+    let study = Study::run(&stage)?;
+    let studied = Instant::now();
     let mut artifacts = Artifacts::generate(&study)?;
+    stage("tables and plots", studied.elapsed());
+    let took = start.elapsed().as_secs_f64();
+    let stages = stages.into_inner().unwrap_or_else(PoisonError::into_inner).join(", ");
+    let times = format!("took {took:.1} s: {stages}");
     artifacts.splice_readme(&study, root)?;
     let constants = Artifacts::constants(&study, root)?;
     let mut text = verdict_lines(&study);
@@ -54,6 +68,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome> {
         }
         if different.is_empty() {
             let _ = writeln!(text, "\n{} files are as they would be written", artifacts.files().count());
+            let _ = writeln!(text, "{times}");
         } else {
             outcome = Outcome::Differs;
         }
@@ -75,6 +90,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome> {
     }
     let unchanged = artifacts.files().count() - written;
     let _ = writeln!(text, "\n{written} files written, {unchanged} unchanged, in {}", root.display());
+    let _ = writeln!(text, "{times}");
     print(&text)?;
     Ok(outcome)
 }

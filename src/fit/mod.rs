@@ -5,6 +5,8 @@
 //! every [`FactorForm`] over every real n of a range, for any
 //! [`ScaledIntegral`](crate::integral::ScaledIntegral), to both sides or never above 0 ([`fit_factor`]).
 
+pub mod bell;
+
 mod certified;
 mod continuum;
 mod digits;

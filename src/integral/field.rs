@@ -39,6 +39,8 @@ pub trait Field:
 
 /// The few functions beyond [`Field`] that the limits of integration need.
 pub trait Edge: Field {
+    /// A number of which it is known that lo ≤ it ≤ hi; in floating point the middle.
+    fn between(lo: f64, hi: f64) -> Self;
     /// √self, self ≥ 0.
     fn sqrt(&self) -> Self;
     /// (1 - cos √y)/y for y = self in [0, π²/4 + rounding]: every trigonometric term of the
@@ -59,6 +61,10 @@ impl Field for f64 {
 }
 
 impl Edge for f64 {
+    fn between(lo: f64, hi: f64) -> Self {
+        lo + 0.5 * (hi - lo)
+    }
+
     fn sqrt(&self) -> Self {
         libm::sqrt(*self)
     }

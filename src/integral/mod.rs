@@ -2,6 +2,8 @@
 //! closed forms, Gauss-Legendre in w = 1 - cos of the lobe's own angle, and double exponential
 //! quadrature in θ through the public kernels.
 
+pub mod albedo;
+
 mod closed;
 mod exponential;
 mod field;

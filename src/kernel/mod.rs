@@ -17,11 +17,13 @@
 //! | the rows of Table 1 | [`model::Model`] |
 //! | (1 - t/K)^K, Lyon's bell | [`bell::bell`] |
 //! | L, N, V, R, H | unit vectors of [`vector`] |
+//! | (not there) bells of degree three | [`cubic::cubic_bell`], [`cubic::CubicLobe`] |
 //! | (not there) L drawn for V, its density | [`sampling::sample`], [`sampling::pdf`] |
 //! | k_a, k_d, k_s | the fields of [`shading::PhongLambert`] |
 
 pub mod bell;
 pub mod constants;
+pub mod cubic;
 pub mod exact;
 pub mod factor;
 pub mod lobe;

@@ -57,6 +57,8 @@ pub trait Real:
 
     /// √x, correctly rounded; NaN below 0.
     fn sqrt(self) -> Self;
+    /// ∛x, of the sign of x.
+    fn cbrt(self) -> Self;
     /// sin x, x in radians; NaN at ±∞.
     fn sin(self) -> Self;
     /// cos x, x in radians; NaN at ±∞.
@@ -140,7 +142,7 @@ macro_rules! real {
     };
 }
 
-real!(f32, sqrt = sqrtf, sin = sinf, cos = cosf, asin = asinf, exp = expf, exp2 = exp2f, expm1 = expm1f,
-    log = logf, log1p = log1pf, abs = fabsf; powf);
-real!(f64, sqrt = sqrt, sin = sin, cos = cos, asin = asin, exp = exp, exp2 = exp2, expm1 = expm1,
-    log = log, log1p = log1p, abs = fabs; pow);
+real!(f32, sqrt = sqrtf, cbrt = cbrtf, sin = sinf, cos = cosf, asin = asinf, exp = expf, exp2 = exp2f,
+    expm1 = expm1f, log = logf, log1p = log1pf, abs = fabsf; powf);
+real!(f64, sqrt = sqrt, cbrt = cbrt, sin = sin, cos = cos, asin = asin, exp = exp, exp2 = exp2,
+    expm1 = expm1, log = log, log1p = log1p, abs = fabs; pow);

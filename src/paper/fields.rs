@@ -5,6 +5,7 @@ use super::raw::{OneOrMany, RawReading};
 use super::{Comparison, CutForm, Kind, Over, Printed, Relation, Statistic};
 use crate::bound::{Formula, Gaussian};
 use crate::fit::{Form, Objective};
+use crate::integral::albedo::{Reflectance, Usage};
 use crate::integral::{Case, Limit, Lobe};
 use crate::kernel::model::Model;
 use std::collections::BTreeSet;
@@ -15,10 +16,11 @@ type Problem = (usize, String);
 
 /// The readings that a raw one stands for: the product of its lists.
 pub(super) fn expand(raw: &RawReading) -> Result<Vec<Reading>, Problem> {
-    let lists: [(&str, &Option<Spanned<OneOrMany>>); 11] = [
+    let lists: [(&str, &Option<Spanned<OneOrMany>>); 12] = [
         ("model", &raw.model),
         ("other", &raw.other),
         ("lobe", &raw.lobe),
+        ("use", &raw.usage),
         ("limit", &raw.limit),
         ("cut", &raw.cut),
         ("gaussian", &raw.gaussian),
@@ -161,13 +163,26 @@ impl Fields<'_> {
 
     fn case(&mut self) -> Result<Case, Problem> {
         let model = self.model("model")?;
-        let lobe = self.word_or("lobe", Lobe::Cs16, Lobe::from_id, "cos-n, cs16")?;
+        let lobe = self.lobe()?;
         let limit = self.limit("limit")?;
         if !lobe.limits().contains(&limit) {
             let at = self.raw.kind.span().start;
             return Err((at, "lobe cos-n is integrated over its support only".to_owned()));
         }
         Ok(Case { model, lobe, limit })
+    }
+
+    fn lobe(&mut self) -> Result<Lobe, Problem> {
+        self.word_or("lobe", Lobe::Cs16, Lobe::from_id, "cos-n, cs16")
+    }
+
+    /// A model in its use; only a distribution of normals has two.
+    fn reflectance(&mut self) -> Result<Reflectance, Problem> {
+        let model = self.model("model")?;
+        let usage = self.word_or("use", Usage::Printed, Usage::from_id, "printed, microfacet")?;
+        let at = self.raw.usage.as_ref().map_or(0, |u| u.span().start);
+        Reflectance::new(model, usage)
+            .ok_or_else(|| (at, format!("model {} has no use \"{}\"", model.id(), usage.id())))
     }
 
     fn limit(&mut self, key: &'static str) -> Result<Limit, Problem> {
@@ -234,6 +249,12 @@ impl Fields<'_> {
                 factor: self.formula("factor")?,
                 n: self.range()?,
                 over: self.over()?,
+            },
+            "energy-at-every-angle" => Kind::EnergyAtEveryAngle {
+                reflectance: self.reflectance()?,
+                lobe: self.lobe()?,
+                factor: self.formula("factor")?,
+                n: self.range()?,
             },
             "lobe-difference" => Kind::LobeDifference {
                 cut: self.limit("cut")?,

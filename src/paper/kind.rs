@@ -3,7 +3,8 @@
 use super::Printed;
 use crate::bound::{Formula, Gaussian};
 use crate::fit::{Form, Objective};
-use crate::integral::{Case, Limit};
+use crate::integral::albedo::Reflectance;
+use crate::integral::{Case, Limit, Lobe};
 use crate::kernel::model::Model;
 
 /// Which extreme of a function is printed.
@@ -94,6 +95,17 @@ pub enum Kind {
         n: (u32, u32),
         /// Integers or reals.
         over: Over,
+    },
+    /// The directional albedo is at most 1 at every angle of incidence, for every whole n.
+    EnergyAtEveryAngle {
+        /// The model and its use.
+        reflectance: Reflectance,
+        /// The lobe, on its whole support.
+        lobe: Lobe,
+        /// coef(n).
+        factor: Formula,
+        /// First and last n.
+        n: (u32, u32),
     },
     /// An extreme of cosⁿθ - cs_16 over every real n and θ.
     LobeDifference {
@@ -199,6 +211,7 @@ impl Kind {
             Kind::Definition { .. } => "definition",
             Kind::FactorResidual { .. } => "factor-residual",
             Kind::Energy { .. } => "energy",
+            Kind::EnergyAtEveryAngle { .. } => "energy-at-every-angle",
             Kind::LobeDifference { .. } => "lobe-difference",
             Kind::Cut { .. } => "cut",
             Kind::CutEffect { .. } => "cut-effect",

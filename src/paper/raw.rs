@@ -35,6 +35,8 @@ pub(super) struct RawReading {
     pub model: Option<Spanned<OneOrMany>>,
     pub other: Option<Spanned<OneOrMany>>,
     pub lobe: Option<Spanned<OneOrMany>>,
+    #[serde(rename = "use")]
+    pub usage: Option<Spanned<OneOrMany>>,
     pub limit: Option<Spanned<OneOrMany>>,
     pub cut: Option<Spanned<OneOrMany>>,
     pub gaussian: Option<Spanned<OneOrMany>>,

@@ -1,9 +1,9 @@
 //! The files of a run: made in memory, then compared or written whole.
 
-use super::figures::{self, ResidualLine};
+use super::figures::{self, Better, ResidualLine};
 use super::study::Study;
 use super::study::case;
-use super::{constants, markdown, readme, table_one, tables};
+use super::{albedo_table, constants, factor_table, kernel_table, markdown, readme, table_one, tables};
 use crate::fit::Objective;
 use crate::integral::{Limit, Lobe};
 use crate::kernel::model::Model;
@@ -61,12 +61,24 @@ impl Artifacts {
         files.insert("fits/coefficients.csv".to_owned(), tables::coefficients(study)?);
         files.insert("fits/nearest.csv".to_owned(), tables::nearest(study)?);
         files.insert("fits/suprema.csv".to_owned(), tables::suprema(study)?);
+        let factors = study.factors.iter().chain(&study.cubic_factors);
+        files.insert("fits/factors.csv".to_owned(), factor_table::factors_csv(factors)?);
+        files.insert("fits/kernels.csv".to_owned(), kernel_table::exponential(&study.exponential)?);
+        files.insert("fits/kernels-cosn.csv".to_owned(), kernel_table::cosine(&study.cosine)?);
+        files.insert("fits/albedo.csv".to_owned(), albedo_table::albedo_csv(&study.albedos)?);
+        files.insert("fits/albedo-suprema.csv".to_owned(), albedo_table::albedo_suprema_csv(&study.albedos)?);
         files.insert("fits/table1.csv".to_owned(), table_one::csv(study)?);
         files.insert("reports/table1.md".to_owned(), table_one::markdown(study).into_bytes());
         files.insert("reports/table1.tex".to_owned(), table_one::latex(study).into_bytes());
         files.insert("reports/verdicts.csv".to_owned(), tables::verdicts_csv(study)?);
         files.insert("reports/verdicts.json".to_owned(), tables::verdicts_json(study)?);
-        let figures = figures::figures(&residual_lines(study))?;
+        let mut figures = figures::figures(&residual_lines(study))?;
+        figures.extend(figures::better(Better {
+            factors: &study.factors,
+            exponential: &study.exponential,
+            cosine: &study.cosine,
+            albedos: &study.albedo_curves,
+        })?);
         for (name, bytes) in figures::render(&figures)? {
             files.insert(format!("reports/plots/{name}"), bytes);
         }

@@ -1,6 +1,7 @@
 //! `fits/factors.csv`: the factors of other forms and ranges.
 
 use super::artifacts::ArtifactError;
+use super::tables::csv_bytes;
 use crate::fit::FactorRow;
 use serde::Serialize;
 
@@ -58,12 +59,10 @@ impl<'a> From<&'a FactorRow> for FactorLine<'a> {
 }
 
 /// A row a factor, parameters that its form does not have empty, an endless range to `inf`.
-pub(super) fn factors_csv(rows: &[FactorRow]) -> Result<Vec<u8>, ArtifactError> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for row in rows {
-        writer.serialize(FactorLine::from(row))?;
-    }
-    writer.into_inner().map_err(|error| ArtifactError::Table(error.to_string()))
+pub(super) fn factors_csv<'a>(
+    rows: impl IntoIterator<Item = &'a FactorRow>,
+) -> Result<Vec<u8>, ArtifactError> {
+    csv_bytes(rows.into_iter().map(FactorLine::from))
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! `reports/report.md`.
 
+use super::better;
+use super::energy;
 use super::figures::Figure;
 use super::number::{enclosure, short};
 use super::readme::cell;
@@ -31,6 +33,8 @@ pub(super) fn report(study: &Study, figures: &[Figure]) -> String {
     nearest(study, &mut text);
     minimum(&mut text);
     suprema(study, &mut text);
+    better::sections(study, &mut text);
+    energy::sections(study, &mut text);
     text.push_str("\n## Plots\n");
     for Figure { stem, alt, .. } in figures {
         let _ = write!(text, "\n![{alt}](plots/{stem}.png)\n\n*{alt}* ([SVG](plots/{stem}.svg))\n");

@@ -4,15 +4,20 @@
 pub mod chart;
 pub mod figures;
 
+mod albedo_table;
 mod artifacts;
+mod better;
+mod computed;
 mod constants;
-#[cfg_attr(not(test), expect(dead_code, reason = "no artifact holds the table yet"))]
+mod energy;
 mod factor_table;
+mod kernel_table;
 mod markdown;
 mod number;
 mod readme;
 mod study;
 mod summary;
+mod suprema;
 mod table_one;
 mod tables;
 mod terminal;

@@ -1,13 +1,14 @@
 //! The blocks of README.md that are generated, spliced in between their markers.
 
 use super::artifacts::ArtifactError;
+use super::better;
 use super::markdown;
 use super::study::Study;
 use super::summary::{Group, summaries};
 use crate::verdict::Verdict;
 
 /// The blocks a README may ask for.
-const BLOCKS: [&str; 2] = ["cut", "verdicts"];
+const BLOCKS: [&str; 3] = ["cut", "verdicts", "kernels"];
 
 fn begin(block: &str) -> String {
     format!("<!-- {block}: begin (written by `bellfit`, do not edit) -->")
@@ -53,7 +54,11 @@ pub(super) fn cell(text: &str) -> String {
 /// If a block begins and does not end.
 pub(super) fn splice_all(text: &str, study: &Study) -> Result<String, ArtifactError> {
     BLOCKS.into_iter().try_fold(text.to_owned(), |text, block| {
-        let content = if block == "cut" { markdown::cut(study) } else { table(study) };
+        let content = match block {
+            "cut" => markdown::cut(study),
+            "kernels" => better::kernels(study),
+            _ => table(study),
+        };
         splice(&text, block, &content)
     })
 }

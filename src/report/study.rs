@@ -1,20 +1,16 @@
 //! Everything the report is made of, computed once.
 
-use crate::bound::{
-    Extremes, Gaussian, IntegralTable, Interval, Residual, bell_distance, difference_supremum,
-    gaussian_distance,
-};
-use crate::fit::{FitError, FitRow, Form, Line, Nearest, Objective, Problem, fit_case, nearest};
+use super::computed::{Better, Clock, Computed, RANGES, cubic_name};
+use crate::bound::{Extremes, IntegralTable, Interval};
+use crate::fit::bell::{CosineBell, ExponentialBell, Shape};
+use crate::fit::{FactorRow, FitError, FitRow, Line, Nearest, Objective};
+use crate::integral::albedo::{AlbedoCurve, AlbedoError};
 use crate::integral::{Case, Disagreement, Limit, Lobe};
 use crate::kernel::model::Model;
 use crate::paper::{ClaimsError, ClaimsFile, Kind, LOBE_PAPER, Printed};
 use crate::verdict::{EXPECTED, Expectations, ExpectedError, Judge, Judgement};
+use std::time::Duration;
 use thiserror::Error;
-
-/// The papers' range of the specular exponent.
-const RANGE: (u32, u32) = (16, 1024);
-/// Decimals to which a fit is rounded before it is certified and printed.
-const DIGITS: usize = 12;
 
 /// What can stop a study.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -25,6 +21,9 @@ pub enum StudyError {
     /// A fit failed, or two methods disagree.
     #[error(transparent)]
     Fit(#[from] FitError),
+    /// An albedo outside its domain.
+    #[error(transparent)]
+    Albedo(#[from] AlbedoError),
     /// The claims cannot be read.
     #[error("claims: {0}")]
     Claims(#[from] ClaimsError),
@@ -90,6 +89,18 @@ pub struct Study {
     pub nearest: Vec<NearestRow>,
     /// Certified suprema by parameter.
     pub suprema: Vec<SupremumRow>,
+    /// Factors of cs_16 on its support in more forms, and one-sided ones.
+    pub factors: Vec<FactorRow>,
+    /// Bells for e⁻ᵗ.
+    pub exponential: Vec<ExponentialBell>,
+    /// Bells for cosⁿ.
+    pub cosine: Vec<CosineBell>,
+    /// Factors of the adopted cubic bells for cosⁿ.
+    pub cubic_factors: Vec<FactorRow>,
+    /// Directional albedo at the tables' angles and exponents.
+    pub albedos: Vec<AlbedoCurve>,
+    /// The same at the figures' angles and exponents.
+    pub albedo_curves: Vec<AlbedoCurve>,
     /// The claims.
     pub claims: ClaimsFile,
     /// Their verdicts.
@@ -99,21 +110,66 @@ pub struct Study {
 }
 
 impl Study {
-    /// Computes everything, on two threads whose results do not depend on each other.
+    /// Computes everything, on threads whose results do not depend on each other; `stage` is told what
+    /// was done, and how long it took.
     ///
     /// # Errors
     /// [`StudyError`] for whatever stops it.
-    pub fn run() -> Result<Self, StudyError> {
+    pub fn run(stage: &(dyn Fn(&str, Duration) + Sync)) -> Result<Self, StudyError> {
         let claims = ClaimsFile::parse(LOBE_PAPER)?;
         let expectations = Expectations::parse(EXPECTED)?;
-        let (judged, computed) = std::thread::scope(|scope| {
-            let judge = scope.spawn(|| Judge::default().judge(&claims));
-            let computed = Computed::run(&claims);
-            (judge.join(), computed)
+        let clock = Clock::new(stage);
+        let (judged, computed, better) = std::thread::scope(|scope| {
+            let judge = scope.spawn(|| clock.time("verdicts", || Judge::default().judge(&claims)));
+            let better = scope.spawn(|| Better::run(clock));
+            let computed = Computed::run(&claims, clock);
+            (judge.join(), computed, better.join())
         });
         let judgements = judged.map_err(|_| StudyError::Worker)??;
-        let Computed { integrals, fits, printed, nearest, suprema } = computed?;
-        Ok(Study { integrals, fits, printed, nearest, suprema, claims, judgements, expectations })
+        let Computed { integrals, fits, printed, nearest, suprema, factors } = computed?;
+        let Better { exponential, cosine, cubic_factors, albedos, albedo_curves } =
+            better.map_err(|_| StudyError::Worker)??;
+        Ok(Study {
+            integrals,
+            fits,
+            printed,
+            nearest,
+            suprema,
+            factors,
+            exponential,
+            cosine,
+            cubic_factors,
+            albedos,
+            albedo_curves,
+            claims,
+            judgements,
+            expectations,
+        })
+    }
+
+    /// The one-sided line of cs_16 for a model over the papers' range.
+    pub fn one_sided_line(&self, model: Model) -> Option<&FactorRow> {
+        let range = RANGES[0];
+        self.factors
+            .iter()
+            .filter(|row| row.model == model && row.factor.line().is_some())
+            .rfind(|row| row.objective == Objective::OneSided && (row.range.from(), row.range.to()) == range)
+    }
+
+    /// The cubic bell of a power for e⁻ᵗ.
+    pub fn exponential_bell(&self, power: u32) -> Option<&ExponentialBell> {
+        self.exponential.iter().find(|row| row.shape == Shape::Cubic && row.power == power)
+    }
+
+    /// The cubic bell of a power for cosⁿ.
+    pub fn cosine_bell(&self, power: u32) -> Option<&CosineBell> {
+        self.cosine.iter().find(|row| row.shape == Shape::Cubic && row.formula.power == power)
+    }
+
+    /// The factor of the cubic bell of a power under a model.
+    pub fn cubic_factor(&self, power: u32, model: Model) -> Option<&FactorRow> {
+        let name = cubic_name(power);
+        self.cubic_factors.iter().find(|row| row.lobe == name && row.model == model)
     }
 
     /// The table of one case.
@@ -141,128 +197,6 @@ impl Study {
     pub fn surprises(&self) -> Vec<ExpectedError> {
         self.expectations.differences(&self.judgements)
     }
-}
-
-struct Computed {
-    integrals: Vec<IntegralTable>,
-    fits: Vec<FitRow>,
-    printed: Vec<PrintedFactor>,
-    nearest: Vec<NearestRow>,
-    suprema: Vec<SupremumRow>,
-}
-
-impl Computed {
-    fn run(claims: &ClaimsFile) -> Result<Self, StudyError> {
-        let (from, to) = RANGE;
-        let mut integrals = Vec::new();
-        let mut fits = Vec::new();
-        for case in Case::all() {
-            integrals.push(IntegralTable::compute(case, from, to)?);
-            let problem = Problem::new(case, from, to)?;
-            for objective in Objective::ALL {
-                fits.push(fit_case(&problem, objective, Form::Linear, DIGITS)?);
-            }
-        }
-        let printed = printed_factors(claims);
-        let nearest = nearest_rows(&printed)?;
-        Ok(Computed { integrals, fits, printed, nearest, suprema: suprema() })
-    }
-}
-
-fn printed_factors(claims: &ClaimsFile) -> Vec<PrintedFactor> {
-    let mut found: Vec<PrintedFactor> = Vec::new();
-    for claim in &claims.claims {
-        for reading in &claim.readings {
-            let Kind::FactorResidual { case, factor, text, n, printed, .. } = &reading.kind else { continue };
-            let Some(line) = Line::from_formula(factor) else { continue };
-            if found.iter().any(|p| p.claim == claim.id && p.case == *case && p.line == line) {
-                continue;
-            }
-            let residual = Residual::new(*case, factor);
-            found.push(PrintedFactor {
-                claim: claim.id.clone(),
-                reading: text.clone(),
-                case: *case,
-                line,
-                bound: printed.clone(),
-                integers: residual.over_integers(n.0, n.1),
-                reals: residual.over_reals(f64::from(n.0), f64::from(n.1)),
-            });
-        }
-    }
-    found
-}
-
-/// For every printed factor that breaks its printed bound, where the limit is not the misread one.
-fn nearest_rows(printed: &[PrintedFactor]) -> Result<Vec<NearestRow>, FitError> {
-    let mut rows = Vec::new();
-    for factor in printed {
-        let Some(bound) = &factor.bound else { continue };
-        let bound = crate::bound::enclose(&bound.value).lo();
-        let kept = factor.integers.magnitude().value.hi() <= bound;
-        // Where a multiplies the whole bracket, b of the line is not a printed number.
-        let (a, b) = (factor.line.a(), factor.line.b());
-        let as_printed = b == "0" || factor.reading.starts_with(&format!("({a}*n + {b})"));
-        if kept || !as_printed || factor.case.limit == Limit::Card {
-            continue;
-        }
-        let problem = Problem::new(factor.case, RANGE.0, RANGE.1)?;
-        let nearest = nearest(&problem, &factor.line, bound);
-        rows.push(NearestRow { printed: factor.clone(), nearest });
-    }
-    Ok(rows)
-}
-
-fn suprema() -> Vec<SupremumRow> {
-    let exponents = [16.0, 17.0, 20.0, 32.0, 64.0, 128.0, 256.0, 512.0, 1024.0];
-    let mut rows = Vec::new();
-    for cut in [Limit::ExactZero, Limit::Paper, Limit::Card] {
-        let ranges = exponents.iter().map(|&n| Interval::from(n)).chain([Interval::new(16.0, 1024.0)]);
-        for n in ranges {
-            let found = difference_supremum(cut, n, 1e-6);
-            let theta = if found.beyond_cut { "theta -> cr+ =" } else { "theta =" };
-            rows.push(SupremumRow {
-                function: format!("cos^n - cs16 ({})", cut.id()),
-                parameter: range_text(n),
-                value: found.value,
-                at: format!("n = {} {theta} {:.5}", short_n(found.n), found.theta()),
-            });
-        }
-    }
-    for kind in Gaussian::ALL {
-        for &n in &exponents {
-            let found = gaussian_distance(kind, Interval::from(n), 1e-4 / n);
-            let name = if kind == Gaussian::Angle { "n theta^2/2" } else { "n (1 - cos theta)" };
-            rows.push(SupremumRow {
-                function: format!("{} - cos^n", kind.id()),
-                parameter: range_text(Interval::from(n)),
-                value: found.value,
-                at: format!("{name} = {:.4}", found.at[1]),
-            });
-        }
-    }
-    for power in [4, 8, 16, 32] {
-        let found = bell_distance(power, 1e-8);
-        rows.push(SupremumRow {
-            function: "e^-t - (1 - t/K)^K".to_owned(),
-            parameter: format!("K = {power}"),
-            value: found.value,
-            at: format!("t = {:.4}", found.at[0]),
-        });
-    }
-    rows
-}
-
-fn range_text(n: Interval) -> String {
-    if n.lo() == n.hi() {
-        format!("n = {}", n.lo())
-    } else {
-        format!("every real n in {}..{}", n.lo(), n.hi())
-    }
-}
-
-fn short_n(n: f64) -> String {
-    if n == libm::floor(n) { format!("{n}") } else { format!("{n:.2}") }
 }
 
 /// The paper's Int(n) of cs_16 in all four limits, or of cosⁿ, for one model.

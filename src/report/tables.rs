@@ -9,7 +9,7 @@ use crate::verdict::Judgement;
 use serde::Serialize;
 
 /// Rows as CSV with a header.
-fn csv_bytes<R: Serialize>(rows: impl IntoIterator<Item = R>) -> Result<Vec<u8>, ArtifactError> {
+pub(super) fn csv_bytes<R: Serialize>(rows: impl IntoIterator<Item = R>) -> Result<Vec<u8>, ArtifactError> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     for row in rows {
         writer.serialize(row)?;

@@ -1,7 +1,7 @@
 //! The judge: one verdict a reading, by its kind alone.
 
 use super::judgement::{Evidence, Finding, Judgement, Verdict};
-use super::{algebra, lobes};
+use super::{albedo, algebra, lobes};
 use crate::bound::{DifferenceExtreme, Extremes, Fixed, Formula, Gaussian, Interval};
 use crate::fit::FitError;
 use crate::integral::{Case, Limit};
@@ -50,8 +50,8 @@ impl Judge {
         let mut judgements = Vec::new();
         for claim in &file.claims {
             for reading in &claim.readings {
-                let Finding { printed, computed, verdict, witness } = self.find(&reading.kind)?;
-                let figure = matches!(reading.kind, Kind::Definition { .. });
+                let (found, evidence) = self.find(&reading.kind)?;
+                let Finding { printed, computed, verdict, witness } = found;
                 judgements.push(Judgement {
                     claim: claim.id.clone(),
                     paper: claim.paper.clone(),
@@ -59,7 +59,7 @@ impl Judge {
                     reading: reading.id.clone(),
                     printed,
                     computed,
-                    evidence: (!figure).then_some(Evidence::Certified),
+                    evidence,
                     verdict,
                     witness,
                 });
@@ -68,14 +68,17 @@ impl Judge {
         Ok(judgements)
     }
 
-    fn find(&mut self, kind: &Kind) -> Result<Finding, FitError> {
-        Ok(match kind {
-            Kind::Definition { place } => Finding {
-                printed: String::new(),
-                computed: None,
-                verdict: Verdict::Definition,
-                witness: place.clone(),
-            },
+    /// What comes of it, and how strong that is: only what there is nothing to judge about has no strength.
+    fn find(&mut self, kind: &Kind) -> Result<(Finding, Option<Evidence>), FitError> {
+        let certified = match kind {
+            Kind::Definition { place } => {
+                let (printed, witness, verdict) = (String::new(), place.clone(), Verdict::Definition);
+                return Ok((Finding { printed, computed: None, verdict, witness }, None));
+            }
+            Kind::EnergyAtEveryAngle { reflectance, lobe, factor, n } => {
+                let found = albedo::energy_at_every_angle(*reflectance, *lobe, factor, *n);
+                return Ok((found, Some(Evidence::Estimated)));
+            }
             Kind::FactorResidual { case, factor, n, over, statistic, relation, printed, place, .. } => {
                 let of = (*case, factor, *n, *over);
                 let mut found = self.factor_residual(of, *statistic, *relation, printed.as_ref());
@@ -100,6 +103,7 @@ impl Judge {
             Kind::GaussianFalls { gaussian, n } => self.gaussian_falls(*gaussian, *n),
             Kind::GaussianBeatsLobe { gaussian, n } => self.gaussian_beats_lobe(*gaussian, *n),
             Kind::BellFalls { powers } => lobes::bell_falls(powers),
-        })
+        };
+        Ok((certified, Some(Evidence::Certified)))
     }
 }

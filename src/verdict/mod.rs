@@ -1,5 +1,6 @@
 //! The only place where a claim meets a computed value.
 
+mod albedo;
 mod algebra;
 mod expected;
 mod fits;

@@ -5,6 +5,7 @@
 #![no_std]
 
 use bellfit::kernel::bell::bell;
+use bellfit::kernel::cubic::{CubicLobe, cubic_bell};
 use bellfit::kernel::exact::cs_16_factor_exact;
 use bellfit::kernel::factor::{cos_n_factor, cs_16_factor, cs_16_factor_printed};
 use bellfit::kernel::lobe::{cos_n, cs, cs_16, cs_versine, cut_exact, gaussian, schlick, versine};
@@ -38,6 +39,16 @@ pub fn draw(normal: Vec3<f32>, to_view: Vec3<f32>, n: f32, u1: f32, u2: f32) -> 
     Some((to_light, pdf(model, profile, n, normal, to_view, to_light)))
 }
 
+/// Normalised Phong lobe in single precision, with the factor for every n.
+pub fn reflection(cos: f32, n: f32) -> f32 {
+    cs_16_factor_exact(Model::Phong, n) * cs_16(cos, n)
+}
+
+/// The cubic lobe, and the bell for e⁻ᵗ.
+pub fn cubic(cos: f32, n: f32, t: f64) -> (f32, f64) {
+    (CubicLobe::<4, f32>::new(n).at(cos), cubic_bell::<8, f64>(t))
+}
+
 /// Every elementary function that the kernels take from `libm`, in both types.
 pub fn lobes(theta: f64, n: f64) -> [f64; 6] {
     let (single, exponent) = (theta as f32, n as f32);
@@ -49,9 +60,4 @@ pub fn lobes(theta: f64, n: f64) -> [f64; 6] {
         cut_exact(n) - bell::<16, f64>(n),
         f64::from(schlick(1.0 - versine(single), exponent) - cut_exact(exponent)),
     ]
-}
-
-/// Normalised Phong lobe in single precision, with the factor for every n.
-pub fn reflection(cos: f32, n: f32) -> f32 {
-    cs_16_factor_exact(Model::Phong, n) * cs_16(cos, n)
 }

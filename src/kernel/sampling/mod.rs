@@ -27,7 +27,8 @@
 //!
 //! Another lobe, such as a bell that is nearer to cosⁿ, is sampled with [`Profile::CosN`]: the weight gains
 //! the factor (its value)/cosⁿ, which is bounded if its support ends before c = 0, and at most 1 for
-//! (1 - t/K)ᴷ with K ≤ n.
+//! (1 - t/K)ᴷ with K ≤ n. For the [cubic lobes](super::cubic) with n ≥ 16 it is at most 1.33, 1.03 and 1.03
+//! (K = 2, 4, 8; sampled).
 //!
 //! Accuracies are in units of ε = 2⁻²⁴ (`f32`) or 2⁻⁵³ (`f64`), and sampled: against values proved to 20
 //! digits for n up to 10⁶, and in `f32` against `f64` at 2·10⁷ arguments with n from 10⁻³ to 10⁴.

@@ -15,25 +15,29 @@
 //! # Ok::<(), bellfit::report::figures::FigureError>(())
 //! ```
 
+mod albedo;
 mod bell;
 mod cut;
 mod difference;
 mod error;
-#[cfg_attr(not(test), expect(dead_code, reason = "the report does not show it yet"))]
 mod factor;
 mod gaussian;
 mod integral;
+mod kernel;
 mod lobe;
 mod render;
 mod residual;
 mod sample;
 
+pub use albedo::albedo_degrees;
 pub use error::FigureError;
 pub use render::render;
 
 use super::chart::Chart;
-use crate::fit::Line;
+use crate::fit::bell::{CosineBell, ExponentialBell};
+use crate::fit::{FactorRow, Line};
 use crate::integral::Case;
+use crate::integral::albedo::AlbedoCurve;
 
 /// One figure.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,8 +64,8 @@ pub struct ResidualLine {
     pub printed_bound: Option<f64>,
 }
 
-/// Every figure, in the report's order; `residuals` are the lines of the figure of that name, a panel
-/// a model.
+/// The figures of what the papers state, in the report's order; `residuals` are the lines of the figure
+/// of that name, a panel a model.
 ///
 /// # Errors
 ///
@@ -81,9 +85,41 @@ pub fn figures(residuals: &[ResidualLine]) -> Result<Vec<Figure>, FigureError> {
     ])
 }
 
+/// What the figures of better factors and bells draw.
+#[derive(Clone, Copy, Debug)]
+pub struct Better<'a> {
+    /// Factors of cs_16 by form and objective.
+    pub factors: &'a [FactorRow],
+    /// Bells for e⁻ᵗ.
+    pub exponential: &'a [ExponentialBell],
+    /// Bells for cosⁿ.
+    pub cosine: &'a [CosineBell],
+    /// Albedo curves of n = 16 and 64.
+    pub albedos: &'a [AlbedoCurve],
+}
+
+/// The figures of better factors and bells, in the report's order.
+///
+/// # Errors
+///
+/// [`FigureError`] without factors on the papers' range, or albedo curves of an exponent drawn.
+pub fn better(drawn: Better) -> Result<Vec<Figure>, FigureError> {
+    let mut figures = vec![
+        factor::factors(drawn.factors)?,
+        kernel::frontier(drawn.exponential, drawn.cosine),
+        kernel::over_n(),
+        kernel::equioscillation(drawn.exponential),
+    ];
+    figures.extend(albedo::albedos(drawn.albedos)?);
+    Ok(figures)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fit::bell::{cosine_bells, exponential_bells};
+    use crate::fit::factor_rows;
+    use crate::integral::albedo::{AlbedoSubject, albedo_curves};
     use crate::integral::{Limit, Lobe};
     use crate::kernel::model::Model;
     use std::collections::BTreeSet;
@@ -101,11 +137,27 @@ mod tests {
         Model::ALL.into_iter().flat_map(of).collect()
     }
 
+    /// Real rows: figures of made-up ones would show nothing.
+    fn better_figures() -> Vec<Figure> {
+        let cases = Model::ALL.map(|model| Case { model, lobe: Lobe::Cs16, limit: Limit::Support });
+        let subjects = AlbedoSubject::all();
+        let drawn = Better {
+            factors: &factor_rows(&cases, "16..1024".parse().unwrap()).unwrap(),
+            exponential: &exponential_bells().unwrap(),
+            cosine: &cosine_bells().unwrap(),
+            albedos: &albedo_curves(&subjects, &[16.0, 64.0], &[0.0, 45.0, 90.0]).unwrap(),
+        };
+        assert!(better(Better { factors: &[], ..drawn }).is_err());
+        assert!(better(Better { albedos: &[], ..drawn }).is_err());
+        better(drawn).unwrap()
+    }
+
     #[test]
     fn every_figure_has_its_own_name_and_words_and_renders() {
-        let drawn = figures(&lines()).unwrap();
+        let mut drawn = figures(&lines()).unwrap();
+        drawn.extend(better_figures());
         let stems: BTreeSet<_> = drawn.iter().map(|f| f.stem).collect();
-        assert_eq!((drawn.len(), stems.len()), (9, 9));
+        assert_eq!((drawn.len(), stems.len()), (15, 15));
         for figure in &drawn {
             assert!(figure.alt.ends_with('.') && figure.alt.len() > 40, "{}", figure.stem);
         }
