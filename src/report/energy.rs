@@ -39,12 +39,14 @@ pub(super) fn sections(study: &Study, text: &mut String) {
     }
     let bounded = study.albedos.iter().filter(|c| c.supremum.evidence.id() == "bounded").count();
     let error = study.albedos.iter().flat_map(|c| &c.points).map(|p| p.value.error).fold(0.0, f64::max);
+    let all = study.albedos.len();
+    let which =
+        if bounded == all { format!("All {all}") } else { format!("{bounded} of {all}, the others sampled") };
     let _ = writeln!(
         text,
-        "\n{bounded} of {} suprema are bounded, the others sampled; the largest stated error is {}. A factor that is \
+        "\nSuprema that are bounded: {which}; the largest stated error is {}. A factor that is \
          exact along the normal never gains at another angle, for any model; the unmodified RDFs are not \
          reciprocal, so theirs is the energy seen from θ, not that reflected of a beam from θ.",
-        study.albedos.len(),
         short(error)
     );
     text.push_str(

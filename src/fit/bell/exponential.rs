@@ -1,7 +1,7 @@
 //! The bells for e⁻ᵗ.
 
+use super::cost::{Cost, operations};
 use super::exchange::polish;
-use super::row::{Cost, operations};
 use super::shape::Shape;
 use crate::bound::{BellProof, Supremum, exponential_bell};
 use crate::fit::FitError;

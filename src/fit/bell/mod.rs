@@ -7,14 +7,15 @@
 //! by weighted least squares whose weights grow where the error is large (Lawson).
 
 mod cosine;
+mod cost;
 mod exchange;
 mod exponential;
 mod lawson;
-mod row;
+
 mod shape;
 
 pub use cosine::{CosineBell, cosine_bells};
+pub use cost::{Cost, operations};
 pub use exchange::{Polished, polish};
 pub use exponential::{ExponentialBell, exponential_bells};
-pub use row::{Cost, operations};
 pub use shape::{Piece, Shape};

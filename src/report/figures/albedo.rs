@@ -106,7 +106,7 @@ fn series(curve: &AlbedoCurve, labels: &[String]) -> Series {
     let label = label(curve);
     let index = labels.iter().position(|known| *known == label).unwrap_or(0);
     // Many coincide: later ones lie over earlier ones and must let them through.
-    let style = [Style::Line, Style::Dashed, Style::Dotted][index % 3];
+    let style = [Style::Line, Style::Dashed, Style::Dotted, Style::Dashed][index % 4];
     let points = curve.points.iter().map(|p| (p.degrees(), p.value.value)).collect();
     Series { colour: Some(index), ..Series::new(label, style, points) }
 }
