@@ -139,9 +139,11 @@ fn certificates_hold_what_samples_show() {
             .fold(0.0, f64::max);
         assert!(worst <= certified.hi(), "{} {}: {worst}", row.shape.id(), row.power);
         let at = row.error.at[0];
-        let reached = (libm::exp(-at) - value(row, at)).abs().max(libm::exp(-row.proof.cut.lo()));
-        assert!(reached >= certified.lo() * (1.0 - 1e-9) - 1e-13, "{} {}", row.shape.id(), row.power);
-        assert!(certified.width() <= 4e-4 * certified.hi(), "{} {}", row.shape.id(), row.power);
+        // At its cut a bell that jumps is looked at from beyond.
+        let there = if at < row.proof.cut.lo() { value(row, at) } else { 0.0 };
+        let reached = (libm::exp(-at) - there).abs();
+        assert!(reached >= certified.lo() - 1e-13, "{} {}", row.shape.id(), row.power);
+        assert!(certified.width() <= 1e-5 * certified.hi(), "{} {}", row.shape.id(), row.power);
         assert!(row.proof.decreasing, "{} {}", row.shape.id(), row.power);
         assert_eq!(row.proof.continuous, row.shape.is_continuous(), "{} {}", row.shape.id(), row.power);
         let turns = matches!(row.shape, Shape::Double | Shape::Jump);
@@ -160,7 +162,15 @@ fn certificates_hold_what_samples_show() {
             assert!(error.abs() <= certified.hi() + 1e-14, "{formula:?} n = {n}, w = {w}: {error}");
         }
         assert!(row.proof.decreasing && row.proof.continuous && row.proof.negative_beyond, "{formula:?}");
-        assert!(certified.width() <= 4e-3 * certified.hi(), "{formula:?}: {certified:?}");
+        assert!(certified.width() <= 3e-4 * certified.hi(), "{formula:?}: {certified:?}");
+        // Reached where it says, to the rounding of a few operations.
+        let [m, y] = row.error.at;
+        let p = |row: [f64; 3]| row[0] + m * (row[1] + m * row[2]);
+        let (reach, linear, square) = (p(formula.reach), p(formula.linear), p(formula.square));
+        let bell = libm::pow((1.0 - y) * (1.0 + y * (linear + y * square)), f64::from(formula.power));
+        let target = if m == 0.0 { libm::exp(-y * reach) } else { cos_n_versine(y * reach * m, 1.0 / m) };
+        let reached = (bell - target).abs();
+        assert!(reached >= certified.lo() - 1e-13 && reached <= certified.hi() + 1e-13, "{formula:?}");
         // The limit's level is a floor for every formula, and reached to a per cent, or three where two
         // terms in 1/n do not quite do.
         let reach = if formula.power == 32 { 1.03 } else { 1.01 };
@@ -172,7 +182,7 @@ fn certificates_hold_what_samples_show() {
 fn a_coefficient_moved_is_a_certificate_lost() {
     let row = exponential().iter().find(|r| r.shape == Shape::Cubic && r.power == 4).unwrap();
     let [c1, c2, c3] = row.coefficients;
-    let (error, _) = exponential_bell(4, [c1 + 1e-4, c2, c3], None, 1e-8);
+    let (error, _) = exponential_bell(4, [c1 + 1e-4, c2, c3], None, 1e-8).unwrap();
     assert!(error.value.lo() > row.error.value.hi(), "{error:?}");
 }
 
@@ -231,12 +241,13 @@ fn kernel_laws<F: Real, const K: u32>(bound: f64, epsilon: f64) {
             let found = lobe.at_versine(w).to_f64();
             let error = (found - cos_n_versine(w.to_f64(), n)).abs();
             assert!(error <= bound + 16.0 * epsilon, "K = {K}, n = {n}, w = {w:?}: {error}");
-            // From the cosine: a rounded cosine moves t by n ε/4 and the depressed form costs as much
-            // again a few times over; |slope| of the lobe in t is at most 1.
+            // From an exact cosine: what the page says of the depressed form, beside the power's rounding
+            // (K - 1 and the few roundings of p, K times).
             let cos = F::ONE - w;
             let exact = cos_n_versine(1.0 - cos.to_f64(), n);
             let error = (lobe.at(cos).to_f64() - exact).abs();
-            assert!(error <= bound + (2.0 * n + 16.0) * epsilon, "K = {K}, n = {n}, cos = {cos:?}: {error}");
+            let by_form = if K > 4 { 0.0 } else { 0.7 * n };
+            assert!(error <= bound + (by_form + 16.0) * epsilon, "K = {K}, n = {n}, cos = {cos:?}: {error}");
         }
         assert_eq!(lobe.at(f(-0.25)).to_f64(), 0.0);
         assert_eq!(lobe.at_versine(f(1.5)).to_f64(), 0.0);
@@ -277,9 +288,10 @@ fn cos_n_covers_the_cubic_lobes() {
 /// The drop-in law: factor times lobe integrates to 1 and never above, by the model's own convention.
 #[test]
 fn cubic_factors_normalise_the_cubic_lobes() {
-    fn check<const K: u32>() {
+    // The losses that the constants' notes state, by model.
+    fn check<const K: u32>(losses: [f64; 6]) {
         let rule = GaussLegendre::new(40);
-        for model in Model::ALL {
+        for (model, loss) in Model::ALL.into_iter().zip(losses) {
             let (edge, own) = match model.angle() {
                 LobeAngle::Full => (1.0, 1.0),
                 LobeAngle::Half => (1.0 - core::f64::consts::FRAC_1_SQRT_2, 4.0),
@@ -300,15 +312,15 @@ fn cubic_factors_normalise_the_cubic_lobes() {
                 let share = core::f64::consts::TAU * cubic_factor::<K, f64>(model, n) * integral;
                 // The rule is exact for these polynomials; what remains is rounding.
                 assert!(share <= 1.0 + 1e-13, "K = {K}, {}, n = {n}: {share}", model.id());
-                assert!(share >= 1.0 - 4.9e-4, "K = {K}, {}, n = {n}: {share}", model.id());
+                assert!(share >= 1.0 - loss, "K = {K}, {}, n = {n}: {share}", model.id());
             }
             assert!(cubic_factor::<K, f64>(model, f64::NAN).is_nan());
             assert_eq!(cubic_factor::<K, f32>(model, f32::INFINITY), f32::INFINITY);
         }
     }
-    check::<2>();
-    check::<4>();
-    check::<8>();
+    check::<2>([1.6e-7, 3.3e-7, 4.81e-4, 3.4e-5, 1.6e-7, 3.3e-7]);
+    check::<4>([6.2e-7, 1.4e-6, 1.81e-4, 2.6e-5, 6.2e-7, 1.4e-6]);
+    check::<8>([7.1e-6, 8.4e-6, 1.47e-4, 1.8e-5, 7.1e-6, 8.4e-6]);
 }
 
 /// One unit more in the last digit of p₀, and energy is gained somewhere.

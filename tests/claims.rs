@@ -376,13 +376,17 @@ fn energy_at_every_angle_is_estimated() {
         ("blinn-phong-heightfield", "microfacet", "cos-n", "0.999*(n + 2)/(2*pi)", Verdict::Reproduced),
         // Along the normal the horizon hides enough of this one at n = 16, but not at n = 64.
         ("blinn-phong-ndf", "printed", "cos-n", "1.001*(n + 1)/(2*pi)", Verdict::Refuted),
-        ("phong", "printed", "cs16", "1/(n - 20)", Verdict::Undecided),
-        ("phong", "printed", "cs16", "-n", Verdict::Reproduced),
     ] {
         let found = claim(model, usage, lobe, factor);
         assert_eq!(found.verdict, verdict, "{model}, {usage}, {factor}: {found:?}");
         assert_eq!(found.evidence, Some(Evidence::Estimated), "{factor}");
         assert!(found.witness.contains('θ'), "{factor}: {}", found.witness);
+    }
+    // What is no factor is judged to be nothing, and said so with its n.
+    for (factor, place) in [("-n", "-16"), ("1/(n - 20)", "n = 16"), ("1/(n - 16)", "n = 16")] {
+        let found = claim("phong", "printed", "cs16", factor);
+        assert_eq!(found.verdict, Verdict::Undecided, "{factor}: {found:?}");
+        assert!(found.witness.contains(place), "{factor}: {}", found.witness);
     }
     let gains = claim("blinn-phong-heightfield", "microfacet", "cos-n", "1.001*(n + 2)/(2*pi)");
     let (_, angle) = gains.witness.rsplit_once("at θ = ").unwrap();

@@ -22,8 +22,8 @@ use draw::Draw;
 use references::{Reference, rows};
 
 const POWERS: [u32; 6] = [2, 4, 8, 16, 32, 64];
-/// What is asked for, in ε.
-const ALLOWED: f64 = 16.0;
+/// The largest rounding count of the page of `cs_factor`, in ε; what is asked for is 16.
+const ALLOWED: f64 = 10.29;
 /// What the page of `cs_factor` states as measured, in ε: the type, a K or all of them, the worst error.
 /// The arguments are rows of the table.
 const MEASURED: [(&str, Option<u32>, f64); 4] =

@@ -84,6 +84,6 @@ fn combinations_that_do_not_exist_are_named() {
     told("--over rationals", "known are integers, reals");
     told("--n 16..inf", "real ends and inf need --over reals");
     for range in ["0.5..3", "3..2", "7..7", "inf..inf", "1e3..2e3", "NaN..3", "-1..5", "16"] {
-        told(&format!("--over reals --n {range}"), "1 ≤ A < B; B may be inf");
+        told(&format!("--over reals --n {range}"), "1 ≤ A < B, plain decimals; B may be inf");
     }
 }

@@ -23,21 +23,22 @@ pub struct BellProof {
 /// Pieces after which a proof that is not done is given up.
 const MOST_PIECES: u32 = 100_000;
 
-/// 1 - c₁ z + c₂ z² - c₃ z³, z = t/K; K a power of two, so z is exact.
+/// 1 - c₁ z + c₂ z² - c₃ z³, z = t/K.
 fn base<T: Field>(power: &T, [c1, c2, c3]: [T; 3], t: T) -> T {
     let z = t / power.clone();
     T::int(1) - z.clone() * (c1 - z.clone() * (c2 - z * c3))
 }
 
-/// sup over t ≥ 0 of |e⁻ᵗ - bell| with what is proved of the bell p^K, p = 1 - c₁ z + c₂ z² - c₃ z³,
-/// z = t/K, cut at its first zero or, for one that jumps, at `jump`.
+/// sup over t ≥ 0 of |e⁻ᵗ - bell| with what is proved of the bell max(p, 0)^K, p = 1 - c₁ z + c₂ z² -
+/// c₃ z³, z = t/K, cut at its first zero or, for one that jumps, at `jump`.
 ///
-/// Up to the cut by branch and bound; beyond it the bell is 0 and e⁻ᵗ falls.
+/// Up to the cut by branch and bound; beyond it the bell is 0 and e⁻ᵗ falls. `None` if p has no zero up to
+/// t = 20 K, or `jump` is not a positive number.
 ///
 /// ```
 /// use bellfit::bound::exponential_bell;
 /// // Lyon's (1 - t/16)^16
-/// let (error, proof) = exponential_bell(16, [1.0, 0.0, 0.0], None, 1e-7);
+/// let (error, proof) = exponential_bell(16, [1.0, 0.0, 0.0], None, 1e-7).expect("a zero");
 /// assert!(error.value.lo() > 1.7e-2 && error.value.hi() < 1.8e-2);
 /// assert!(proof.cut.contains(16.0) && proof.decreasing && proof.continuous && proof.negative_beyond);
 /// ```
@@ -46,18 +47,23 @@ pub fn exponential_bell(
     c: [f64; 3],
     jump: Option<f64>,
     tolerance: f64,
-) -> (Supremum<1>, BellProof) {
+) -> Option<(Supremum<1>, BellProof)> {
     let k = Jet::int(i64::from(power));
     let jets = c.map(|c| Jet::constant(Interval::from(c)));
     let p = |t: Jet| base(&k, jets, t);
-    let cut = jump.map_or_else(|| first_zero(power, c), Interval::from);
+    let cut = match jump {
+        Some(jump) if jump > 0.0 && jump.is_finite() => Interval::from(jump),
+        Some(_) => return None,
+        None => first_zero(power, c)?,
+    };
     let proof = BellProof {
         cut,
         decreasing: always([Interval::new(0.0, cut.hi()), Interval::from(0.0)], |[t, _]| {
             p(Jet::variable(t)).slope.hi() < 0.0
         }),
-        continuous: p(Jet::constant(cut)).value.contains(0.0),
-        negative_beyond: falls_beyond(power, c, cut.hi()),
+        // At a bracketed zero by the intermediate value theorem.
+        continuous: jump.is_none(),
+        negative_beyond: jump.is_none() && falls_beyond(power, c, cut.hi()),
     };
     let distance = |t: Jet| {
         let base = p(t);
@@ -70,34 +76,32 @@ pub fn exponential_bell(
     let found = supremum(|[t]| range(distance, *t).abs(), domain, tolerance, MOST_BOXES);
     let beyond = (-Interval::from(cut.lo())).exp();
     let value = found.value.max(beyond);
-    let at = if beyond.lo() > found.value.hi() { [cut.lo()] } else { found.at };
-    (Supremum { value, at, boxes: found.boxes }, proof)
+    let at = if beyond.lo() > found.value.lo() { [cut.lo()] } else { found.at };
+    Some((Supremum { value, at, boxes: found.boxes }, proof))
 }
 
-/// Brackets the first zero of p by a scan and bisection, both signs certified; the whole positive line
-/// if there is none. That no zero lies before it is what [`BellProof::decreasing`] says.
-fn first_zero(power: u32, c: [f64; 3]) -> Interval {
+/// Brackets the first zero of p by a scan and bisection, both signs certified. That no zero lies before it
+/// is what [`BellProof::decreasing`] says.
+fn first_zero(power: u32, c: [f64; 3]) -> Option<Interval> {
     let k = Interval::int(i64::from(power));
     let sign = |t: f64| base(&k, c.map(Interval::from), Interval::from(t));
-    // A hundredth of a unit: the zeros of these bells lie far further apart, except a double zero's,
-    // which the scan steps over only if it is 0.001 T wide and T < 10.
+    // Two zeros nearer than K/4096 may be stepped over; those of a near double one are 0.001 T apart.
     let step = f64::from(power) / 4096.0;
-    let Some(hit) = (1..=80_000).find(|&i| sign(f64::from(i) * step).hi() < 0.0) else {
-        return Interval::new(0.0, f64::INFINITY);
-    };
-    let (mut lo, mut hi) = (f64::from(hit - 1) * step, f64::from(hit) * step);
-    for _ in 0..60 {
-        let mid = 0.5 * (lo + hi);
-        let there = sign(mid);
-        if there.lo() > 0.0 {
-            lo = mid;
-        } else if there.hi() < 0.0 {
-            hi = mid;
-        } else {
-            break;
+    let hit = (1..=81_920).find(|&i| sign(f64::from(i) * step).hi() < 0.0)?;
+    // The step before may be too near the zero to tell; p(0) = 1 ends the way back.
+    let before = (0..hit).rev().find(|&i| sign(f64::from(i) * step).lo() > 0.0)?;
+    let (from, to) = (f64::from(before) * step, f64::from(hit) * step);
+    // The last place certified above 0, and the first below: between them the enclosures cannot tell.
+    let last = |certified: &dyn Fn(f64) -> bool, mut yes: f64, mut no: f64| {
+        for _ in 0..60 {
+            let mid = 0.5 * (yes + no);
+            if certified(mid) { yes = mid } else { no = mid }
         }
-    }
-    Interval::new(lo, hi)
+        yes
+    };
+    let lo = last(&|t| sign(t).lo() > 0.0, from, to);
+    let hi = last(&|t| sign(t).hi() < 0.0, to, from);
+    Some(Interval::new(lo, hi))
 }
 
 /// Whether p < 0 for every t > cut: its Taylor coefficients there are not positive.
@@ -146,14 +150,15 @@ fn always(domain: [Interval; 2], holds: impl Fn([Interval; 2]) -> bool) -> bool 
 /// sup over every angle in [0, π/2] and every real n ≥ `from` of |cosⁿ - bell|, the limit n → ∞
 /// included, with what is proved of the bell's form; `at` is (1/n, t/T).
 ///
-/// `seeds` are points (1/n, t/T) where the supremum may be: none are needed, good ones save time.
+/// `None` unless 1 ≤ `from` < ∞. `seeds` are points (1/n, t/T) where the supremum may be: none are needed,
+/// good ones save time.
 /// In m = 1/n and y = t/T(m) by branch and bound; beyond the cut, y = 1, cosⁿ falls and the bell is 0.
 ///
 /// ```
 /// use bellfit::{bound::cosine_bell, kernel::cubic::BellFormula};
 /// // The lobe paper's cs_16: T = 16 for every n.
 /// let cs_16 = BellFormula { power: 16, reach: [16.0, 0.0, 0.0], linear: [0.0; 3], square: [0.0; 3] };
-/// let (error, proof) = cosine_bell(&cs_16, 16.0, &[[0.0, 0.122]], 1e-5);
+/// let (error, proof) = cosine_bell(&cs_16, 16.0, &[[0.0, 0.122]], 1e-5).expect("n from 1 on");
 /// assert!(error.value.lo() > 1.727e-2 && error.value.hi() < 1.729e-2);
 /// assert_eq!(error.at, [0.0, 0.122]); // reached as n → ∞, at t = 1.95
 /// assert!(proof.decreasing && proof.continuous && proof.negative_beyond);
@@ -163,7 +168,10 @@ pub fn cosine_bell(
     from: f64,
     seeds: &[[f64; 2]],
     tolerance: f64,
-) -> (Supremum<2>, BellProof) {
+) -> Option<(Supremum<2>, BellProof)> {
+    if !(from >= 1.0 && from.is_finite()) {
+        return None;
+    }
     let m = Interval::new(0.0, (Interval::from(1.0) / Interval::from(from)).hi());
     let domain = [m, Interval::new(0.0, 1.0)];
     let bell = Bell { formula };
@@ -175,7 +183,7 @@ pub fn cosine_bell(
         continuous: true,
         negative_beyond: always(domain, |cell| bell.is_past_its_zero(cell)),
     };
-    (found, proof)
+    Some((found, proof))
 }
 
 /// p = (1 - y) q, q = 1 + α y + β y², y = t/T, over boxes of (m, y).
@@ -288,14 +296,41 @@ mod tests {
     #[test]
     fn what_rises_or_jumps_is_not_called_otherwise() {
         // 1 - 2z + 1.2 z² has no zero: it falls to z = 5/6 and rises.
-        let (_, proof) = exponential_bell(4, [2.0, 1.2, 0.0], Some(3.0), 1e-3);
+        let (_, proof) = exponential_bell(4, [2.0, 1.2, 0.0], Some(3.0), 1e-3).unwrap();
         assert!(proof.decreasing && !proof.continuous);
-        let (_, proof) = exponential_bell(4, [2.0, 1.2, 0.0], Some(3.5), 1e-3);
+        let (_, proof) = exponential_bell(4, [2.0, 1.2, 0.0], Some(3.5), 1e-3).unwrap();
         assert!(!proof.decreasing);
         // (1 - z)(1 - z/2): falls to 1, negative to 2, positive beyond.
-        let (_, proof) = exponential_bell(4, [1.5, 0.5, 0.0], None, 1e-3);
+        let (_, proof) = exponential_bell(4, [1.5, 0.5, 0.0], None, 1e-3).unwrap();
         assert!(proof.decreasing && proof.continuous && !proof.negative_beyond);
         assert!(proof.cut.contains(4.0) && proof.cut.width() < 1e-9);
+    }
+
+    #[test]
+    fn what_is_outside_the_domain_has_no_certificate() {
+        for c in [[1.0, 1.0, 0.0], [0.01, 0.0, 0.0], [f64::NAN, 0.0, 0.0]] {
+            assert!(exponential_bell(16, c, None, 1e-3).is_none(), "{c:?}");
+        }
+        for jump in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert!(exponential_bell(16, [1.0, 0.0, 0.0], Some(jump), 1e-3).is_none(), "{jump}");
+        }
+        let cs_16 = BellFormula { power: 16, reach: [16.0, 0.0, 0.0], linear: [0.0; 3], square: [0.0; 3] };
+        for from in [0.5, 0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert!(cosine_bell(&cs_16, from, &[], 1e-3).is_none(), "{from}");
+        }
+        // A seed outside the box is not looked at.
+        let with_seed = cosine_bell(&cs_16, 16.0, &[[0.0, 7.0]], 1e-3).unwrap().0;
+        assert!(with_seed.value.hi() < 2e-2, "{with_seed:?}");
+    }
+
+    #[test]
+    fn a_zero_at_the_scans_own_step_is_bracketed() {
+        // Zero 16/(1 + 2^-52), a hair below the step at 16.
+        let (_, proof) = exponential_bell(16, [1.0_f64.next_up(), 0.0, 0.0], None, 1e-3).unwrap();
+        assert!(proof.cut.lo() < 16.0 && proof.cut.hi() >= 16.0 && proof.continuous, "{proof:?}");
+        // Cut where p is still positive: a jump, and max(p, 0) is no cut.
+        let (_, proof) = exponential_bell(4, [1.0, 0.0, 0.0], Some(3.0), 1e-3).unwrap();
+        assert!(!proof.continuous && !proof.negative_beyond);
     }
 
     #[test]
@@ -308,10 +343,10 @@ mod tests {
             linear: [linear, 0.0, 0.0],
             square: [square, 0.0, 0.0],
         };
-        assert!(cosine_bell(&formula(-1.17, 1.05), 16.0, &[], 1e-2).1.decreasing);
-        assert!(!cosine_bell(&formula(-4.0, 4.0), 16.0, &[], 1e-2).1.decreasing);
+        assert!(cosine_bell(&formula(-1.17, 1.05), 16.0, &[], 1e-2).unwrap().1.decreasing);
+        assert!(!cosine_bell(&formula(-4.0, 4.0), 16.0, &[], 1e-2).unwrap().1.decreasing);
         // q = (1 - y/1.2)(1 - y/1.5) is negative between: p is positive there.
         let (alpha, beta) = (-1.0 / 1.2 - 1.0 / 1.5, 1.0 / 1.8);
-        assert!(!cosine_bell(&formula(alpha, beta), 16.0, &[], 1e-2).1.negative_beyond);
+        assert!(!cosine_bell(&formula(alpha, beta), 16.0, &[], 1e-2).unwrap().1.negative_beyond);
     }
 }

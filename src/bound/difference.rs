@@ -78,7 +78,7 @@ pub(super) fn cos_n_jet(t: Jet, m: Interval) -> Jet {
 }
 
 /// The range of m = 1/n for n > 0, rounded outward; exact at powers of two, so that the ends of
-/// 16..1024 stay what they are.
+/// 16..1024 stay what they are, and at ∞.
 ///
 /// ```
 /// use bellfit::bound::{Interval, reciprocal};
@@ -87,8 +87,8 @@ pub(super) fn cos_n_jet(t: Jet, m: Interval) -> Jet {
 /// ```
 pub fn reciprocal(n: Interval) -> Interval {
     let end = |x: f64| {
-        let power_of_two = libm::frexp(x).0 == 0.5;
-        if power_of_two { Interval::from(1.0 / x) } else { Interval::from(1.0) / Interval::from(x) }
+        let exact = x == f64::INFINITY || libm::frexp(x).0 == 0.5;
+        if exact { Interval::from(1.0 / x) } else { Interval::from(1.0) / Interval::from(x) }
     };
     Interval::new(end(n.hi()).lo(), end(n.lo()).hi())
 }

@@ -47,7 +47,7 @@ impl Gradient {
         over.value.intersect(mean)
     }
 
-    /// cosⁿ = (1 - t m)^(1/m) for this t ≥ 0 and m = 1/n ≥ 0, its limit e⁻ᵗ at m = 0 included.
+    /// cosⁿ = (1 - t m)^(1/m) for this t ≥ 0 and m = 1/n in [0, 1], its limit e⁻ᵗ at m = 0 included.
     pub fn cos_n(t: Self, m: Self) -> Self {
         let value = cos_n_range(t.value, m.value);
         let one = Interval::from(1.0);

@@ -34,8 +34,9 @@ fn up(x: f64) -> f64 {
 }
 
 impl From<f64> for Interval {
+    /// [x, x]; a NaN gives [`Interval::WHOLE`].
     fn from(x: f64) -> Self {
-        Interval { lo: x, hi: x }
+        if x.is_nan() { Interval::WHOLE } else { Interval { lo: x, hi: x } }
     }
 }
 
@@ -64,9 +65,12 @@ impl Interval {
         self.hi
     }
 
-    /// A double inside, near the middle.
+    /// A double inside, near the middle; of an unbounded interval one of its finite numbers.
     pub fn mid(self) -> f64 {
-        let mid = self.lo + 0.5 * (self.hi - self.lo);
+        let finite = |x: f64| x.clamp(f64::MIN, f64::MAX);
+        let (lo, hi) = (finite(self.lo), finite(self.hi));
+        // Halved first where the difference overflows.
+        let mid = if (hi - lo).is_finite() { lo + 0.5 * (hi - lo) } else { 0.5 * lo + 0.5 * hi };
         mid.clamp(self.lo, self.hi)
     }
 
@@ -146,7 +150,8 @@ impl Neg for Interval {
 impl Add for Interval {
     type Output = Self;
     fn add(self, rhs: Self) -> Self {
-        Interval { lo: down(self.lo + rhs.lo), hi: up(self.hi + rhs.hi) }
+        // new: ∞ - ∞ is not known.
+        Interval::new(down(self.lo + rhs.lo), up(self.hi + rhs.hi))
     }
 }
 
@@ -277,6 +282,9 @@ mod tests {
     fn what_is_not_known_is_not_excluded() {
         assert_eq!(Interval::new(f64::NAN, 1.0), Interval::WHOLE);
         assert_eq!(Interval::new(2.0, 1.0), Interval::WHOLE);
+        assert_eq!(Interval::from(f64::NAN), Interval::WHOLE);
+        assert_eq!(Interval::from(f64::INFINITY) + Interval::WHOLE, Interval::WHOLE);
+        assert!(Interval::WHOLE.contains(Interval::WHOLE.mid()) && Interval::WHOLE.mid().is_finite());
         assert_eq!(Interval::from(1.0) / Interval::new(-1.0, 1.0), Interval::WHOLE);
         assert_eq!(Interval::from(-1.0) / Interval::new(0.0, 1.0), Interval::WHOLE);
         assert_eq!(Interval::from(0.0) / Interval::from(0.0), Interval::WHOLE);

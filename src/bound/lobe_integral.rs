@@ -24,17 +24,12 @@ pub struct LobeIntegral {
 }
 
 impl LobeIntegral {
-    /// The bell of that name; `None` for a power so large that no rule is exact to its degree.
+    /// The bell of that name, whose p has no zero before T; `None` for a power so large that no rule is exact to its degree.
     pub fn new(name: &str, formula: BellFormula, model: Model) -> Option<Self> {
         let straight = formula.linear == [0.0; 3] && formula.square == [0.0; 3];
-        let degree = formula.power * if straight { 1 } else { 3 };
         // The weights are at most cubic in the cosine.
-        Some(LobeIntegral {
-            name: name.to_owned(),
-            formula,
-            model,
-            rule: EnclosedRule::exact_to(degree + 3)?,
-        })
+        let degree = formula.power.checked_mul(if straight { 1 } else { 3 })?.checked_add(3)?;
+        Some(LobeIntegral { name: name.to_owned(), formula, model, rule: EnclosedRule::exact_to(degree)? })
     }
 
     /// The bell.

@@ -5,6 +5,9 @@ use super::{Fixed, Interval, power_of_ten};
 use crate::integral::{Edge, Field};
 use dashu_ratio::RBig;
 
+/// The largest degree whose nodes are told apart and whose weights keep their digits.
+const MOST: u32 = 69;
+
 /// A rule on [0, 1].
 #[derive(Clone, Debug, PartialEq)]
 pub struct EnclosedRule {
@@ -13,8 +16,8 @@ pub struct EnclosedRule {
 }
 
 impl EnclosedRule {
-    /// The rule that is exact for polynomials up to this degree; `None` if a node cannot be told from
-    /// its neighbour, which does not happen for degrees up to 51.
+    /// The rule that is exact for polynomials up to this degree; `None` for a degree above 69, where the
+    /// recurrence's growth leaves too few of the 128 bits.
     ///
     /// ```
     /// use bellfit::bound::{EnclosedRule, Interval};
@@ -23,6 +26,9 @@ impl EnclosedRule {
     /// assert!(integral.contains(0.25) && integral.width() < 1e-14);
     /// ```
     pub fn exact_to(degree: u32) -> Option<Self> {
+        if degree > MOST {
+            return None;
+        }
         let order = degree / 2 + 1;
         let pairs: Option<Vec<_>> = (0..order).map(|i| enclosed_pair(order, i)).collect();
         let pairs = pairs?;
@@ -61,8 +67,7 @@ fn slope<T: Field>(order: u32, x: &T, (value, previous): (T, T)) -> T {
 /// factor on 2^-128 keeps the signs at the ends certain.
 const REACH: i32 = -27;
 
-/// The node that Newton's iteration finds from Tricomi's start (Abramowitz & Stegun 25.4.29), in
-/// doubles and once more in 128 bits, with the signs of P on both sides of it as proof; with its
+/// The node that Newton's iteration finds from cos(π (i + ¾)/(order + ½)), in doubles and once more in 128 bits, with the signs of P on both sides of it as proof; with its
 /// weight, mapped to [0, 1].
 fn enclosed_pair(order: u32, i: u32) -> Option<(Interval, Interval)> {
     let mut x = libm::cos(core::f64::consts::PI * (f64::from(i) + 0.75) / (f64::from(order) + 0.5));
@@ -95,7 +100,8 @@ mod tests {
 
     #[test]
     fn monomials_up_to_the_degree_are_enclosed_and_the_next_is_not() {
-        for degree in [1, 3, 15, 27, 51] {
+        assert!(EnclosedRule::exact_to(MOST + 1).is_none());
+        for degree in [1, 3, 15, 27, 51, MOST] {
             let rule = EnclosedRule::exact_to(degree).unwrap();
             for k in 0..=degree {
                 let found = rule.integrate(|y: Interval| y.power(k));

@@ -71,8 +71,8 @@ pub fn supremum_until<const D: usize>(
     search(f, domain, corners, &[], enough, most)
 }
 
-/// [`supremum`] where points near the supremum are known: these are looked at first, and of each box its
-/// middle alone, which is less than half the work.
+/// [`supremum`] where points near the supremum are known: these are looked at first (those outside the
+/// domain are not), and of each box its middle alone, which is less than half the work.
 pub fn supremum_near<const D: usize>(
     f: impl Fn(&[Interval; D]) -> Interval,
     domain: [Interval; D],
@@ -102,7 +102,9 @@ fn search<const D: usize>(
             }
         }
     };
-    look(seeds, &mut best);
+    let within = |seed: &&[f64; D]| seed.iter().zip(&domain).all(|(x, side)| side.contains(*x));
+    let seeds: Vec<[f64; D]> = seeds.iter().filter(within).copied().collect();
+    look(&seeds, &mut best);
     look(&points(&domain), &mut best);
     let mut heap = BinaryHeap::new();
     heap.push(Candidate { upper: f(&domain).hi(), cell: domain });

@@ -39,15 +39,15 @@ pub struct Arguments {
     /// (p0 n + p1 + p2/n + p3/n²) or ratio (p0 n + p1 + p2/(n + p3)).
     #[arg(long, value_name = "FORM", default_value = "linear", value_parser = form)]
     form: FactorForm,
-    /// Whether the integers or every real n of the range count; integers for proportional and linear where
-    /// they can, reals else.
+    /// Whether the integers or every real n of the range count: if not given, the integers for proportional
+    /// and linear by minimax or least squares, else every real n.
     #[arg(long, value_name = "OVER", value_parser = over)]
     over: Option<Over>,
-    /// Significant decimals of the parameters, 1 to 15; the residual is certified after rounding. 12, or
-    /// 4 for one-sided-rounded, if not given.
+    /// Significant decimals of the parameters, 1 to 15 (one-sided-rounded: 1 to 8); the residual is
+    /// certified after rounding. 12, or 4 for one-sided-rounded, if not given.
     #[arg(long, value_name = "DIGITS", value_parser = clap::value_parser!(u8).range(1..=15))]
     digits: Option<u8>,
-    /// Print one JSON object.
+    /// Print one JSON object; the end of an endless range is null.
     #[arg(long)]
     json: bool,
 }
@@ -99,7 +99,7 @@ fn integers(n: &str) -> Result<(u32, u32)> {
     match parse_range(n) {
         Ok(range) => Ok(range),
         Err(error) if n.parse::<Reals>().is_ok() => {
-            bail!("{error}; real ends and inf need --over reals, and no sum of squares")
+            bail!("{error}; real ends and inf need --over reals, which least squares do not have")
         }
         Err(error) => bail!(error),
     }

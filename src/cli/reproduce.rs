@@ -50,7 +50,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome> {
     stage("tables and plots", studied.elapsed());
     let took = start.elapsed().as_secs_f64();
     let stages = stages.into_inner().unwrap_or_else(PoisonError::into_inner).join(", ");
-    let times = format!("took {took:.1} s: {stages}");
+    let times = format!("took {took:.1} s, in parallel: {stages}");
     artifacts.splice_readme(&study, root)?;
     let constants = Artifacts::constants(&study, root)?;
     let mut text = verdict_lines(&study);

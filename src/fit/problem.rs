@@ -83,7 +83,7 @@ pub enum FitError {
         to: u32,
     },
     /// No range of real n.
-    #[error("n = \"{text}\": a range A..B of real n needs 1 ≤ A < B; B may be inf")]
+    #[error("n = \"{text}\": a range A..B of real n needs 1 ≤ A < B, plain decimals; B may be inf")]
     Reals {
         /// As given.
         text: String,

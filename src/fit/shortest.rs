@@ -43,7 +43,7 @@ pub(super) fn shortest<I: ScaledIntegral + Clone>(
         for _ in 0..MOST {
             let slope = at_slope(continuum, a, digits)?;
             if slope.unrounded >= least || !a.is_positive() {
-                break;
+                return Some(());
             }
             for (loss, b) in slope.offsets {
                 if loss >= least {
@@ -55,7 +55,7 @@ pub(super) fn shortest<I: ScaledIntegral + Clone>(
             }
             a = next(a, digits);
         }
-        Some(())
+        None
     };
     walk(first, Decimal::below).ok_or_else(failure)?;
     walk(first.above(digits), Decimal::above).ok_or_else(failure)?;

@@ -9,8 +9,8 @@ use std::collections::BTreeMap;
 /// Nodes and weights on [-1, 1], nodes ascending.
 ///
 /// Exact for polynomials of degree 2 order - 1 and no higher. The nodes are the zeros of the
-/// Legendre polynomial P_order by Newton's iteration from Tricomi's start (Abramowitz & Stegun
-/// 25.4.29); the weights 2/((1 - x²) P'²).
+/// Legendre polynomial P_order by Newton's iteration from cos(π (i + ¾)/(order + ½)); the weights
+/// 2/((1 - x²) P'²) (Abramowitz & Stegun 25.4.29).
 ///
 /// ```
 /// use bellfit::integral::GaussLegendre;

@@ -2,7 +2,7 @@
 
 use super::artifacts::ArtifactError;
 use super::tables::csv_bytes;
-use crate::integral::albedo::AlbedoCurve;
+use crate::integral::albedo::{AlbedoCurve, SupremumEvidence};
 use serde::Serialize;
 
 /// The angles of incidence in the tables, in degrees: every fifth, and one more where grazing light
@@ -63,6 +63,7 @@ struct SupremumLine<'a> {
     reciprocal: bool,
     error: f64,
     ceiling: f64,
+    bounded: bool,
 }
 
 /// `fits/albedo-suprema.csv`: a row a curve; `bounded` where a theorem allows no more, and the ceiling that
@@ -83,6 +84,7 @@ pub(super) fn albedo_suprema_csv(curves: &[AlbedoCurve]) -> Result<Vec<u8>, Arti
         reciprocal: curve.reflectance.is_reciprocal(),
         error: curve.supremum.at.value.error,
         ceiling: curve.supremum.ceiling.value,
+        bounded: curve.supremum.evidence == SupremumEvidence::Bounded,
     }))
 }
 
@@ -101,9 +103,12 @@ mod tests {
         assert_eq!(points.lines().count(), 1 + 56 * 2);
         assert!(points.contains("\nblinn-phong-heightfield,microfacet,cs16,printed,64,90,1.00107"));
         let suprema = String::from_utf8(albedo_suprema_csv(&curves).unwrap()).unwrap();
-        let head = "model,use,lobe,factor,n,max_albedo,angle,evidence,reciprocal,error,ceiling\n";
+        let head = "model,use,lobe,factor,n,max_albedo,angle,evidence,reciprocal,error,ceiling,bounded\n";
         assert!(suprema.starts_with(head), "{suprema}");
         assert_eq!(suprema.lines().count(), 1 + 56);
-        assert!(suprema.lines().skip(1).all(|line| line.contains(",bounded,")), "{suprema}");
+        assert!(
+            suprema.lines().skip(1).all(|line| line.contains(",estimated,") && line.ends_with(",true")),
+            "{suprema}"
+        );
     }
 }

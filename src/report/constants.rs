@@ -1,6 +1,6 @@
 //! The source text of `src/kernel/constants.rs`: the one place where adopted constants live.
 
-use super::number::short;
+use super::number::{short, short_up};
 use super::study::{Study, case};
 use crate::bound::{Extremes, Residual};
 use crate::fit::{Line, Objective};
@@ -77,13 +77,13 @@ fn numbers(values: &[f64]) -> String {
 fn exponential_bells(study: &Study) -> Option<String> {
     let mut text = String::from(
         "/// Cubic bells for e⁻ᵗ: c₁, c₂, c₃ of p = 1 - c₁ y + c₂ y² - c₃ y³, y = t/K, the bell max(p, 0)^K.\n///\n\
-         /// Above each row the largest |bell - e⁻ᵗ|, certified over all t ≥ 0, with its argument.\n\
+         /// Above each row a bound of |bell - e⁻ᵗ|, certified over all t ≥ 0, and where it is reached to six digits.\n\
          pub const CUBIC_EXP: [[f64; 3]; 3] = [\n",
     );
     for power in POWERS {
         let row = study.exponential_bell(power)?;
         let (error, at, [c1, c2, c3]) =
-            (short(row.error.value.hi()), short(row.error.at[0]), row.coefficients);
+            (short_up(row.error.value.hi()), short(row.error.at[0]), row.coefficients);
         let _ = write!(text, "    // K = {power}: {error} (t = {at})\n    [{}],\n", numbers(&[c1, c2, c3]));
     }
     text.push_str("];\n");
@@ -93,8 +93,8 @@ fn exponential_bells(study: &Study) -> Option<String> {
 fn cosine_bells(study: &Study) -> Option<String> {
     let mut text = String::from(
         "/// Cubic bells for cosⁿ.\n///\n\
-         /// Above each row the largest |bell - cosⁿ|, certified over every angle in [0, π/2] and every real n ≥ 16,\n\
-         /// with its place in n and t = n (1 - cos θ).\n\
+         /// Above each row a bound of |bell - cosⁿ|, certified over every angle in [0, π/2] and every real n ≥ 16,\n\
+         /// and where it is reached to 2e-4 of it, in n and t = n (1 - cos θ).\n\
          pub const CUBIC_COS_N: [BellFormula; 3] = [\n",
     );
     for power in POWERS {
@@ -106,7 +106,7 @@ fn cosine_bells(study: &Study) -> Option<String> {
             text,
             "    // {} ({n}, t = {})\n    BellFormula {{\n        power: {power},\n        reach: [{}],\n        \
              linear: [{}],\n        square: [{}],\n    }},\n",
-            short(row.error.value.hi()),
+            short_up(row.error.value.hi()),
             short(row.t_at_maximum()),
             numbers(&formula.reach),
             numbers(&formula.linear),

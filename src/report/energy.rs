@@ -2,7 +2,7 @@
 
 use super::number::short;
 use super::study::Study;
-use crate::integral::albedo::{AlbedoCurve, Reflectance, Usage};
+use crate::integral::albedo::{AlbedoCurve, Reflectance, SupremumEvidence, Usage};
 use crate::kernel::model::Convention;
 use std::fmt::Write;
 
@@ -11,7 +11,8 @@ pub(super) fn sections(study: &Study, text: &mut String) {
     text.push_str(
         "\n## Energy at every angle\n\n\
          Directional albedo a(θ): what the eye at θ sees of a surface lit by 1 from the whole hemisphere \
-         (`fits/albedo.csv` with the error of each value, `fits/albedo-suprema.csv`). For the unmodified RDFs the \
+         (`fits/albedo.csv` with the error of each value, `fits/albedo-suprema.csv`; angles in degrees from the normal, \
+         `use` is `printed` or, with V-cavities, `microfacet`). For the unmodified RDFs the \
          factor times the lobe is f cos θ, for the modified ones it is f; an NDF stands once as printed, for the \
          share of its normalisation that this direction sees, and once as the D of a microfacet model with F = 1 \
          and V-cavities. *Bounded*: a theorem allows no more at any angle, so the value along the normal (or at \
@@ -37,15 +38,15 @@ pub(super) fn sections(study: &Study, text: &mut String) {
         }
         text.push('\n');
     }
-    let bounded = study.albedos.iter().filter(|c| c.supremum.evidence.id() == "bounded").count();
+    let bounded = study.albedos.iter().filter(|c| c.supremum.evidence == SupremumEvidence::Bounded).count();
     let error = study.albedos.iter().flat_map(|c| &c.points).map(|p| p.value.error).fold(0.0, f64::max);
     let all = study.albedos.len();
     let which =
         if bounded == all { format!("All {all}") } else { format!("{bounded} of {all}, the others sampled") };
     let _ = writeln!(
         text,
-        "\nSuprema that are bounded: {which}; the largest stated error is {}. A factor that is \
-         exact along the normal never gains at another angle, for any model; the unmodified RDFs are not \
+        "\nSuprema that are bounded: {which}; the largest stated error is {}. A factor that \
+         meets its condition of Table 1 exactly gains at no angle, whatever the model; the unmodified RDFs are not \
          reciprocal, so theirs is the energy seen from θ, not that reflected of a beam from θ.",
         short(error)
     );
@@ -53,8 +54,9 @@ pub(super) fn sections(study: &Study, text: &mut String) {
         "\n## Drawing directions\n\n\
          `kernel::sampling`: `sample(u1, u2)` and `pdf` for the six models over cosⁿ and the bells (1 - t/K)^K, the \
          half vector's Jacobian included, 0 below the horizon. The own angle's distribution is inverted in closed \
-         form (cosⁿ; bells under sin α) or by at most 6 safeguarded Newton steps; a χ² test of 216 histograms holds \
-         the samples to the density, and planted wrong densities fail it.\n",
+         form (cosⁿ; bells per solid angle) or by Newton's iteration on a concave equation, capped at 6 steps, the most \
+         that 10⁷ draws took; a χ² test of 216 histograms holds the samples to the density, and planted wrong \
+         densities fail it.\n",
     );
 }
 

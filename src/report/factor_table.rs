@@ -2,7 +2,7 @@
 
 use super::artifacts::ArtifactError;
 use super::tables::csv_bytes;
-use crate::fit::FactorRow;
+use crate::fit::{FactorRow, Objective};
 use serde::Serialize;
 
 #[derive(Serialize)]
@@ -27,6 +27,7 @@ struct FactorLine<'a> {
     digits: usize,
     optimum: f64,
     excess: f64,
+    fitted_over: &'static str,
 }
 
 impl<'a> From<&'a FactorRow> for FactorLine<'a> {
@@ -54,6 +55,10 @@ impl<'a> From<&'a FactorRow> for FactorLine<'a> {
             digits: row.digits,
             optimum: row.optimum,
             excess: row.excess,
+            fitted_over: match row.objective {
+                Objective::LsAbsolute | Objective::LsRelative => "integers",
+                _ => "reals",
+            },
         }
     }
 }
@@ -68,7 +73,7 @@ pub(super) fn factors_csv<'a>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fit::{FactorForm, Objective, fit_factor};
+    use crate::fit::{FactorForm, fit_factor};
     use crate::integral::{Case, Limit, Lobe};
     use crate::kernel::model::Model;
 
@@ -85,7 +90,7 @@ mod tests {
         let text = String::from_utf8(factors_csv(&rows).unwrap()).unwrap();
         let lines: Vec<&str> = text.lines().collect();
         let header = "model,lobe,form,objective,n_lo,n_hi,p0,p1,p2,p3,max_residual,n_at_max,min_residual,\
-                      n_at_min,over,evidence,divisor,digits,optimum,excess";
+                      n_at_min,over,evidence,divisor,digits,optimum,excess,fitted_over";
         assert_eq!((lines[0], lines.len()), (header, 3));
         let fields = |line: usize| lines[line].split(',').collect::<Vec<_>>();
         assert_eq!(&fields(1)[..6], ["blinn-phong", "cs16", "p0 n + p1 + p2/n", "minimax", "16", "inf"]);

@@ -26,7 +26,8 @@ struct ExponentialLine {
     printed: bool,
 }
 
-/// `fits/kernels.csv`; errors by their upper ends.
+/// `fits/kernels.csv`; errors by their upper ends. `best_of_shape` is the polished level before rounding,
+/// an estimate; `printed` marks the papers' own.
 pub(super) fn exponential(rows: &[ExponentialBell]) -> Result<Vec<u8>, ArtifactError> {
     csv_bytes(rows.iter().map(|row| {
         let [c1, c2, c3] = row.coefficients;
@@ -78,9 +79,16 @@ struct CosineLine {
     shape: &'static str,
     limit_error: f64,
     printed: bool,
+    operations_unfused: u32,
+    form: &'static str,
 }
 
-/// `fits/kernels-cosn.csv`; errors by their upper ends, over every angle and every real n from `n_from`.
+/// What the columns t0 to beta2 are.
+const FORM: &str = "max(0, (1 - y)(1 + alpha y + beta y^2))^power, y = n (1 - cos)/t; \
+                    t = t0 + t1/n + t2/n^2 and so alpha, beta";
+
+/// `fits/kernels-cosn.csv`; errors by their upper ends, over every angle and every real n from `n_from`;
+/// `limit_error` is the level of n → ∞, an estimate of what no such formula can be below.
 pub(super) fn cosine(rows: &[CosineBell]) -> Result<Vec<u8>, ArtifactError> {
     csv_bytes(rows.iter().map(|row| {
         let [t0, t1, t2] = row.formula.reach;
@@ -111,6 +119,8 @@ pub(super) fn cosine(rows: &[CosineBell]) -> Result<Vec<u8>, ArtifactError> {
             shape: row.shape.id(),
             limit_error: row.limit,
             printed: row.printed,
+            operations_unfused: row.cost.unfused,
+            form: FORM,
         }
     }))
 }

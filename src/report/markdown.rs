@@ -22,7 +22,8 @@ pub(super) fn report(study: &Study, figures: &[Figure]) -> String {
         "# The lobe paper, verified\n\n\
          Written by `bellfit` (`cargo run --release`); every number here is computed, and stands with all its \
          digits in the files named beside it. *Proved* and *refuted* rest on enclosures or exact arithmetic, \
-         over what the row says: the integers 16..1024, every real n of that range, every θ in [0, π/2].\n\n",
+         over what the row says: the integers 16..1024, every real n of that range, every θ in [0, π/2]; only L13's \
+         readings at every angle rest on quadrature with a stated error, and hold as *reproduced*.\n\n",
     );
     let _ = write!(text, "## Is cr_n ≈ √(6/n)?\n\n{}\n", cut(study));
     verdicts(study, &mut text);

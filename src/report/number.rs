@@ -15,6 +15,14 @@ pub(super) fn short(x: f64) -> String {
     }
 }
 
+/// A positive bound in five significant digits, rounded up: what is printed bounds as well.
+pub(super) fn short_up(x: f64) -> String {
+    let unit = libm::exp10(libm::floor(libm::log10(x)) - 4.0);
+    let text = short(x);
+    // Rounded to nearest it may have come down, by half a unit at most.
+    if text.parse::<f64>().is_ok_and(|read| read >= x) { text } else { short(x + 0.5 * unit) }
+}
+
 /// An enclosure in few digits: one number if both ends read the same, else both.
 pub(super) fn enclosure(value: Interval) -> String {
     let (lo, hi) = (short(value.lo()), short(value.hi()));
@@ -30,6 +38,8 @@ mod tests {
         assert_eq!(short(0.01701256), "1.7013e-2");
         assert_eq!(short(-32.26), "-32.26");
         assert_eq!(short(1024.0), "1024");
+        assert_eq!((short_up(4.774700628e-4), short_up(4.7747e-4)), ("4.7748e-4".into(), "4.7747e-4".into()));
+        assert_eq!(short_up(1.72768e-2), "1.7277e-2");
         assert_eq!(enclosure(Interval::new(5.0, 6.25)), "5 to 6.25");
         assert_eq!(enclosure(Interval::new(4.70588235e-4, 4.70588236e-4)), "4.7059e-4");
     }

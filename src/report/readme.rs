@@ -27,10 +27,14 @@ fn table(study: &Study) -> String {
         let reasons: Vec<String> = if summary.groups.iter().all(|g| g.verdict == Verdict::Definition) {
             summary.groups.iter().map(|g| g.reason.to_owned()).collect()
         } else {
-            [(Verdict::Proved, "holds"), (Verdict::Refuted, "fails")]
-                .into_iter()
-                .filter_map(|(verdict, word)| of(verdict).map(|g| format!("{word}: {}", g.reason)))
-                .collect()
+            [
+                (Verdict::Proved, "holds"),
+                (Verdict::Reproduced, "holds by quadrature"),
+                (Verdict::Refuted, "fails"),
+            ]
+            .into_iter()
+            .filter_map(|(verdict, word)| of(verdict).map(|g| format!("{word}: {}", g.reason)))
+            .collect()
         };
         text.push_str(&format!(
             "| {} | {} | {} | {} |\n",

@@ -25,7 +25,7 @@ pub(super) fn energy_at_every_angle(of: Reflectance, lobe: Lobe, factor: &Formul
     for n in n.0..=n.1 {
         match found(of, lobe, factor, n) {
             Ok(found) => all.push(found),
-            // Not met: these lobes keep their shape at every n.
+            // Of the factor: these lobes keep their shape at every n.
             Err(error) => return undecided(None, format!("{error}, at n = {n}")),
         }
     }
@@ -35,7 +35,7 @@ pub(super) fn energy_at_every_angle(of: Reflectance, lobe: Lobe, factor: &Formul
     let Some(worst) = all.iter().find(tied) else {
         return undecided(None, format!("no exponent in {}..{}", n.0, n.1));
     };
-    let (text, place) = (format!("{:.7}", worst.largest.mid()), place(worst.angle));
+    let (text, place) = (beside_one(worst.largest.mid()), place(worst.angle));
     let computed = Some(worst.largest);
     if worst.largest.lo() > 1.0 {
         let place = exceeded(of, lobe, factor, worst);
@@ -49,6 +49,16 @@ pub(super) fn energy_at_every_angle(of: Reflectance, lobe: Lobe, factor: &Formul
     }
 }
 
+/// An albedo by its distance from 1, where all its digits are zeros or nines.
+fn beside_one(albedo: f64) -> String {
+    let beside = albedo - 1.0;
+    match () {
+        () if beside.abs() > 1e-4 => format!("{albedo:.7}"),
+        () if beside > 0.0 => format!("1 + {beside:.1e}"),
+        () => format!("1 - {:.1e}", beside.abs()),
+    }
+}
+
 fn undecided(computed: Option<Interval>, witness: String) -> Finding {
     Finding { printed: String::new(), computed, verdict: Verdict::Undecided, witness }
 }
@@ -57,6 +67,10 @@ fn found(of: Reflectance, lobe: Lobe, factor: &Formula, n: u32) -> Result<Found,
     let Supremum { at, ceiling, .. } =
         with_lobe(lobe, f64::from(n), |profile| supremum_over_angles(of, profile, 1.0))?;
     let factor = value(factor, f64::from(n));
+    // As for the library's own factors: finite and not negative.
+    if !(factor.lo() >= 0.0 && factor.hi() < f64::INFINITY) {
+        return Err(AlbedoError::Factor(factor.mid()));
+    }
     let times = |e: Estimate| Interval::new(e.value - e.error, e.value + e.error) * factor;
     Ok(Found { n, angle: at.degrees(), largest: times(at.value), ceiling: times(ceiling) })
 }

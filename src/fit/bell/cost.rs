@@ -8,6 +8,8 @@ pub struct Cost {
     pub from_t: u32,
     /// From cos θ.
     pub from_cos: u32,
+    /// From cos θ where nothing fuses, so that a fused multiply-add counts two.
+    pub unfused: u32,
 }
 
 /// The cost of p^K with p of so high a degree.
@@ -17,5 +19,6 @@ pub struct Cost {
 /// ill-conditioned (`by_difference`) 1 - cos θ costs one more.
 pub const fn operations(degree: u32, power: u32, by_difference: bool) -> Cost {
     let from_t = degree + 1 + power.trailing_zeros();
-    Cost { from_t, from_cos: from_t + by_difference as u32 }
+    let from_cos = from_t + by_difference as u32;
+    Cost { from_t, from_cos, unfused: from_cos + degree }
 }

@@ -49,7 +49,7 @@ impl CostFunction for Distance {
     }
 }
 
-/// The best bell of a shape for e⁻ᵗ: Nelder and Mead's simplex, then Newton's method on the equations
+/// The best bell of a shape for e⁻ᵗ, p(0) = 1: Nelder and Mead's simplex, then Newton's method on the equations
 /// of equioscillation, error(tᵢ) = ± level with alternating signs at one place more than unknowns.
 ///
 /// # Errors

@@ -8,6 +8,8 @@ use crate::fit::FitError;
 
 /// Powers that are fitted.
 const POWERS: [u32; 5] = [2, 4, 8, 16, 32];
+/// To which the error is enclosed, relative: six digits.
+const TOLERANCE: f64 = 1e-6;
 /// Significant decimals that are kept and certified.
 const DIGITS: usize = 12;
 
@@ -42,7 +44,7 @@ pub struct ExponentialBell {
 /// # Errors
 /// [`FitError::NoOptimum`] if a fit does not end in an alternation.
 pub fn exponential_bells() -> Result<Vec<ExponentialBell>, FitError> {
-    let mut rows: Vec<_> = [4, 8, 16, 32].into_iter().map(printed).collect();
+    let mut rows = [4, 8, 16, 32].into_iter().map(printed).collect::<Result<Vec<_>, _>>()?;
     for shape in Shape::ALL {
         for power in POWERS {
             // The best jumping p at K = 2 turns before its cut: no bell.
@@ -54,10 +56,11 @@ pub fn exponential_bells() -> Result<Vec<ExponentialBell>, FitError> {
     Ok(rows)
 }
 
-fn printed(power: u32) -> ExponentialBell {
+fn printed(power: u32) -> Result<ExponentialBell, FitError> {
     let coefficients = [1.0, 0.0, 0.0];
-    let (error, proof) = exponential_bell(power, coefficients, None, 1e-6);
-    ExponentialBell {
+    let (error, proof) =
+        exponential_bell(power, coefficients, None, 1e-8).ok_or_else(|| uncertified(power))?;
+    Ok(ExponentialBell {
         printed: true,
         shape: Shape::Linear,
         power,
@@ -68,16 +71,20 @@ fn printed(power: u32) -> ExponentialBell {
         error,
         proof,
         cost: operations(1, power, false),
-    }
+    })
+}
+
+pub(super) fn uncertified(power: u32) -> FitError {
+    FitError::NoOptimum { method: "the certificate", case: format!("K = {power}") }
 }
 
 fn fitted(shape: Shape, power: u32) -> Result<ExponentialBell, FitError> {
     let best = polish(shape, power)?;
     let coefficients = best.piece.scaled(power).map(|c| rounded(c, DIGITS));
-    let cut = rounded(best.piece.reach, DIGITS);
-    let jump = (!shape.is_continuous()).then_some(cut);
-    // Four digits of the error.
-    let (error, proof) = exponential_bell(power, coefficients, jump, 1e-4 * best.level);
+    let jump = (!shape.is_continuous()).then(|| rounded(best.piece.reach, DIGITS));
+    let (error, proof) = exponential_bell(power, coefficients, jump, TOLERANCE * best.level)
+        .ok_or_else(|| uncertified(power))?;
+    let cut = rounded(proof.cut.mid(), DIGITS);
     Ok(ExponentialBell {
         printed: false,
         shape,

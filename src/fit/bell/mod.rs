@@ -11,7 +11,6 @@ mod cost;
 mod exchange;
 mod exponential;
 mod lawson;
-
 mod shape;
 
 pub use cosine::{CosineBell, cosine_bells};

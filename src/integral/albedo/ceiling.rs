@@ -15,10 +15,10 @@ pub enum SupremumEvidence {
 }
 
 impl SupremumEvidence {
-    /// The word in tables.
+    /// The kind of evidence in tables: where a theorem names the angle, the value there is an estimate.
     pub const fn id(self) -> &'static str {
         match self {
-            SupremumEvidence::Bounded => "bounded",
+            SupremumEvidence::Bounded => "estimated",
             SupremumEvidence::Sampled => "sampled",
         }
     }

@@ -37,7 +37,6 @@ pub(super) fn frontier(exponential: &[ExponentialBell], cosine: &[CosineBell]) -
         series: vec![
             points("the papers': (1 − t/K)^K", 3, of_exponential(&|row| row.printed)),
             joined("the same, rescaled", 2, shape(Shape::Linear)),
-            points("degree 2 with a jump", 4, shape(Shape::Jump)),
             joined("degree 3", 0, cubic),
         ],
         ..empty(operations("operations from t"), error("largest error, proved"))
@@ -57,11 +56,8 @@ pub(super) fn frontier(exponential: &[ExponentialBell], cosine: &[CosineBell]) -
         series: vec![
             points("the papers': cs_16", 3, of_cosine(&|row| row.printed, from_cos)),
             joined("the same, rescaled", 2, of_cosine(&is_rescaled, from_cos)),
-            Series {
-                colour: Some(5),
-                ..Series::new("degree 3, counted from 1 − cos θ", Style::Dashed, by_difference)
-            },
-            joined("degree 3", 0, cubic),
+            points("degree 3, counted from 1 − cos θ", 4, by_difference),
+            points("degree 3, counted from cos θ", 0, cubic),
         ],
         ..empty(operations("operations from cos θ"), error("largest error, proved"))
     };
@@ -144,9 +140,8 @@ pub(super) fn equioscillation(exponential: &[ExponentialBell]) -> Figure {
     let message = "Each cubic bell's error reaches its largest size four times with alternating sign";
     let chart = Chart::Line(LineChart {
         title: message.into(),
-        subtitle:
-            "So no cubic p near it does better. The last extreme is the cut, beyond which the bell is 0."
-                .into(),
+        subtitle: "So no cubic p with p(0) = 1 does better. Beyond its cut the bell is 0 and e^(−t) is left."
+            .into(),
         series,
         ..empty(
             Axis::new("t (dimensionless)", Scale::Linear, (0.0, 16.0)),

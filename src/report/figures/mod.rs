@@ -157,7 +157,7 @@ mod tests {
         let mut drawn = figures(&lines()).unwrap();
         drawn.extend(better_figures());
         let stems: BTreeSet<_> = drawn.iter().map(|f| f.stem).collect();
-        assert_eq!((drawn.len(), stems.len()), (15, 15));
+        assert_eq!((drawn.len(), stems.len()), (16, 16));
         for figure in &drawn {
             assert!(figure.alt.ends_with('.') && figure.alt.len() > 40, "{}", figure.stem);
         }
