@@ -33,3 +33,8 @@ pub mod paper;
 pub mod report;
 #[cfg(feature = "toolkit")]
 pub mod verdict;
+
+/// The README's examples, compiled and run with the others.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
