@@ -22,7 +22,7 @@ enum Side {
 impl<I: ScaledIntegral> Residual<I> {
     /// Both extremes over every real n in [from, to], `to` up to ∞: [`Residual::largest`] and
     /// [`Residual::smallest`].
-    pub fn extremes(&self, from: f64, to: f64) -> Extremes {
+    pub fn over_reals(&self, from: f64, to: f64) -> Extremes {
         Extremes { max: self.largest(from, to), min: self.smallest(from, to) }
     }
 
@@ -57,15 +57,14 @@ impl<I: ScaledIntegral> Residual<I> {
         if self.is_exact(from) {
             return Extreme { value: Interval::from(0.0), n: from };
         }
-        let lowest = if to == f64::INFINITY { 0.0 } else { reciprocal(Interval::from(to)).lo() };
-        let domain = Interval::new(lowest, reciprocal(Interval::from(from)).hi());
+        let domain = reciprocal(Interval::new(from, to));
         // A residual that is 0 at an end must not be told as 0 and rounding.
         let ends = [domain.lo(), domain.hi()].map(|end| (Interval::from(end), self.in_rationals(end)));
         let over = |m: Interval| {
             let exact = ends.iter().find(|(end, _)| *end == m).and_then(|(_, exact)| *exact);
             exact.unwrap_or_else(|| self.cancelled(from, &m, |c| *c))
         };
-        let at = |n: f64| over(if n == f64::INFINITY { Interval::from(0.0) } else { reciprocal(n.into()) });
+        let at = |n: f64| over(reciprocal(n.into()));
         let looks = (0..LOOKS).map(|k| libm::scalbn(from, k)).take_while(|&n| n < to).chain([to]);
         let (size, rounding) = looks.map(at).fold((0.0_f64, 0.0_f64), |(size, rounding), v| {
             (size.max(v.abs().hi()), rounding.max(v.width()))
@@ -128,7 +127,7 @@ mod tests {
     #[test]
     fn small_residuals_keep_their_digits() {
         let phong = Case { model: Model::Phong, ..MODIFIED };
-        let found = residual(phong, "(1.0625*n + 0.0000000016)/(2*pi)").extremes(16.0, f64::INFINITY);
+        let found = residual(phong, "(1.0625*n + 0.0000000016)/(2*pi)").over_reals(16.0, f64::INFINITY);
         // (16/17) 1.6e-9 m
         let largest = 16.0 / 17.0 * 1e-10;
         assert!((found.max.value.mid() / largest - 1.0).abs() < 1e-4 && found.max.n == 16.0, "{found:?}");
@@ -140,7 +139,7 @@ mod tests {
     fn every_case_has_a_limit_at_infinity() {
         for case in Case::all() {
             let residual = residual(case, "(1.1*n + 3)/(2*pi)");
-            let found = residual.extremes(1.0, f64::INFINITY);
+            let found = residual.over_reals(1.0, f64::INFINITY);
             for n in [1.0, 3.5, 16.0, 1e3, 1e9, 1e200, f64::INFINITY] {
                 let at = if n == f64::INFINITY { continue } else { residual.at(n) };
                 assert!(at.lo() <= found.max.value.hi() && at.hi() >= found.min.value.lo(), "{case}, {n}");

@@ -2,7 +2,7 @@
 //! real n of a range.
 
 use super::difference::reciprocal;
-use super::{Coefficient, Exponents, Formula, Interval, Jet, Polynomial, enclose, exact, range, supremum};
+use super::{Coefficient, Exponents, Formula, Interval, Polynomial, enclose, exact};
 use crate::integral::{Case, Edge, Field, ScaledIntegral};
 use dashu_ratio::RBig;
 
@@ -52,8 +52,6 @@ impl Extremes {
 
 /// The highest power of ½ that is worked out exactly.
 const MOST_HALVINGS: f64 = 4096.0;
-/// Boxes after which a search over real n settles for what it has.
-const MOST_BOXES: usize = 20_000;
 
 /// A factor held against one integral.
 ///
@@ -222,31 +220,6 @@ impl<I: ScaledIntegral> Residual<I> {
     pub fn over_integers(&self, from: u32, to: u32) -> Extremes {
         let values: Vec<(f64, Interval)> = (from..=to).map(f64::from).map(|n| (n, self.at(n))).collect();
         Extremes::of(&values).expect("a range with an integer in it")
-    }
-
-    /// The extremes over every real n in [from, to], by branch and bound in m = 1/n with
-    /// first derivatives, to about six digits of the larger of them, and never finer than 1e-9.
-    pub fn over_reals(&self, from: f64, to: f64) -> Extremes {
-        if self.is_exact(from) {
-            let zero = Extreme { value: Interval::from(0.0), n: from };
-            return Extremes { max: zero, min: zero };
-        }
-        let m = reciprocal(Interval::new(from, to));
-        let size = self.at(from).abs().hi().max(self.at(to).abs().hi());
-        let tolerance = (1e-6 * size).max(1e-9);
-        let search = |sign: f64| {
-            let oriented = |[m]: &[Interval; 1]| {
-                let found = range(|m| self.of_m(from, &m, |c| Jet::constant(*c)), *m);
-                if sign > 0.0 { found } else { -found }
-            };
-            let found = supremum(oriented, [m], tolerance, MOST_BOXES);
-            let value = if sign > 0.0 { found.value } else { -found.value };
-            // Ties within the enclosure go to the smallest n.
-            let ends = [from, to].into_iter().find(|&n| !self.at(n).is_disjoint(value));
-            let n = ends.unwrap_or((1.0 / found.at[0]).clamp(from, to));
-            Extreme { value, n }
-        };
-        Extremes { max: search(1.0), min: search(-1.0) }
     }
 }
 

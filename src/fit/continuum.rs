@@ -85,7 +85,7 @@ impl<'a, I: ScaledIntegral> Continuum<'a, I> {
     /// The residual at n of the form with exactly these doubles as parameters, enclosed.
     pub(super) fn enclosure(&self, form: FactorForm, p: &[f64], n: f64) -> Interval {
         let p: Vec<Interval> = p.iter().copied().map(Interval::from).collect();
-        let m = if n == f64::INFINITY { Interval::from(0.0) } else { reciprocal(Interval::from(n)) };
+        let m = reciprocal(Interval::from(n));
         form.per_n(&p, &m) * g(self.integral, self.reals.from(), &m) - Interval::from(1.0)
     }
 
@@ -135,7 +135,7 @@ fn g<T: Edge>(integral: &impl ScaledIntegral, from: f64, m: &T) -> T {
 }
 
 /// Where f, falling and then rising, is smallest.
-pub(super) fn golden_section((mut lo, mut hi): (f64, f64), f: impl Fn(f64) -> f64) -> f64 {
+pub(in crate::fit) fn golden_section((mut lo, mut hi): (f64, f64), f: impl Fn(f64) -> f64) -> f64 {
     let inverse = 0.5 * (libm::sqrt(5.0) - 1.0);
     let (mut a, mut b) = (hi - inverse * (hi - lo), lo + inverse * (hi - lo));
     let (mut at_a, mut at_b) = (f(a), f(b));

@@ -107,7 +107,7 @@ pub(super) fn places(x: f64, digits: usize) -> i32 {
 /// The shortest decimal of x rounded to so many significant digits, never in exponent form
 /// between 1e-4 and 1e15; what is below half of the last of 12 decimals of 1 counts as 0, being
 /// the rounding of a fit whose other unknown is near 1.
-pub(super) fn round_to(x: f64, digits: usize) -> String {
+pub(in crate::fit) fn round_to(x: f64, digits: usize) -> String {
     if x.abs() < 5e-13 {
         return "0".to_owned();
     }

@@ -21,15 +21,15 @@ use super::cubic::BellFormula;
 pub const CS16_PRINTED: [[f64; 3]; 6] = [
     // Phong (RDF): 4.7059e-4 (n = 16) to 4.7059e-4 (n = 16)
     [1.063, 0.0, 2.0],
-    // Phong (modified) (RDF): 4.4444e-4 (n = 16) to 1.2746e-3 (n = 32.2596)
+    // Phong (modified) (RDF): 4.4444e-4 (n = 16) to 1.2746e-3 (n = 32.2713)
     [1.063, 1.0, 2.0],
-    // Blinn-Phong (RDF): 7.0833e-4 (n = 16) to 5.2078e-3 (n = 160.033)
+    // Blinn-Phong (RDF): 7.0833e-4 (n = 16) to 5.2078e-3 (n = 159.6492)
     [1.068, 0.96, 8.0],
-    // Blinn-Phong (modified) (RDF): -5.6125e-2 (n = 16) to -3.2301e-2 (n = 98.229)
+    // Blinn-Phong (modified) (RDF): -5.6125e-2 (n = 16) to -3.2301e-2 (n = 98.3378)
     [1.027, 4.8, 8.0],
     // Blinn-Phong (NDF): 4.7059e-4 (n = 16) to 4.7059e-4 (n = 16)
     [1.063, 0.0, 2.0],
-    // Blinn-Phong (heightfield): 4.4444e-4 (n = 16) to 1.2746e-3 (n = 32.2596)
+    // Blinn-Phong (heightfield): 4.4444e-4 (n = 16) to 1.2746e-3 (n = 32.2713)
     [1.063, 1.0, 2.0],
 ];
 
@@ -43,9 +43,9 @@ pub const CS16_MINIMAX: [[f64; 3]; 6] = [
     [1.0625, 0.0, 2.0],
     // Phong (modified) (RDF): -3.9592e-4 (n = 16) to 3.9612e-4 (n = 31.5077)
     [1.06202505779, 1.00047254754, 2.0],
-    // Blinn-Phong (RDF): -9.9466e-4 (n = 16) to 9.9525e-4 (n = 23.7241)
+    // Blinn-Phong (RDF): -9.9466e-4 (n = 16) to 9.9525e-4 (n = 23.7263)
     [1.06135401759, 1.03562187029, 8.0],
-    // Blinn-Phong (modified) (RDF): -4.9309e-3 (n = 1024) to 4.9318e-3 (n = 33.3233)
+    // Blinn-Phong (modified) (RDF): -4.9309e-3 (n = 1024) to 4.9318e-3 (n = 33.3212)
     [1.05650958135, 5.47943657979, 8.0],
     // Blinn-Phong (NDF): exactly 0
     [1.0625, 0.0, 2.0],

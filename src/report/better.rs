@@ -26,7 +26,7 @@ fn exact(text: &mut String) {
         "\n## Exact factors\n\n\
          The factor of the bell (1 - n w/K)^K on its true support is a closed expression for every real n ≥ 0 \
          (`kernel::exact::cs_factor`, K = 2 to 64), with a relative error below 16 ε (ε = 2⁻²³ in f32, 2⁻⁵² in f64). Where the \
-         hemisphere cuts the support, below n = K (lobes in θ) or K/(1 - √½) (lobes in θ/2, 54.6 for K = 16), a \
+         hemisphere cuts the support, below n = K (lobes in θ) or K/(1 - √½) (lobes in θ/2), a \
          second expression with positive terms takes over, as the first cancels there. Cost for K = 16, \
          operations + divisions:\n\n\
          | model | support inside the hemisphere | cut by it |\n|---|---|---|\n",

@@ -2,8 +2,7 @@
 
 use super::number::short;
 use super::study::Study;
-use crate::integral::albedo::{AlbedoCurve, Reflectance, SupremumEvidence, Usage};
-use crate::kernel::model::Convention;
+use crate::integral::albedo::{AlbedoCurve, Reflectance, SupremumEvidence};
 use std::fmt::Write;
 
 /// Both sections.
@@ -16,7 +15,7 @@ pub(super) fn sections(study: &Study, text: &mut String) {
          factor times the lobe is f cos θ, for the modified ones it is f; an NDF stands once as printed, for the \
          share of its normalisation that this direction sees, and once as the D of a microfacet model with F = 1 \
          and V-cavities. *Bounded*: a theorem allows no more at any angle, so the value along the normal (or at \
-         grazing) is the largest; the values themselves are quadrature, with errors below 1e-12.\n\n\
+         grazing) is the largest; the values themselves are quadrature.\n\n\
          Largest albedo over the angles, and over n = 16, 64, 256, 1024:\n\n",
     );
     let mut subjects: Vec<String> = Vec::new();
@@ -29,7 +28,7 @@ pub(super) fn sections(study: &Study, text: &mut String) {
     let _ = writeln!(text, "|---|---|{}", "---|".repeat(subjects.len()));
     for of in Reflectance::ALL {
         let reciprocal = if of.is_reciprocal() { "yes" } else { "no" };
-        let _ = write!(text, "| {} | {reciprocal} |", title(of));
+        let _ = write!(text, "| {} | {reciprocal} |", of.title());
         for subject in &subjects {
             let curves = study.albedos.iter().filter(|c| c.reflectance == of && name(c) == *subject);
             let highest = curves.map(|c| c.supremum.at.value.value).fold(0.0, f64::max);
@@ -54,21 +53,11 @@ pub(super) fn sections(study: &Study, text: &mut String) {
         "\n## Drawing directions\n\n\
          `kernel::sampling`: `sample(u1, u2)` and `pdf` for the six models over cosⁿ and the bells (1 - t/K)^K, the \
          half vector's Jacobian included, 0 below the horizon. The own angle's distribution is inverted in closed \
-         form (cosⁿ; bells per solid angle) or by Newton's iteration on a concave equation, capped at 6 steps, the most \
-         that 10⁷ draws took; a χ² test of 216 histograms holds the samples to the density, and planted wrong \
-         densities fail it.\n",
+         form (cosⁿ; bells per solid angle) or by a few Newton steps on a concave equation; χ² tests hold the samples to \
+         the density, and planted wrong densities fail them.\n",
     );
 }
 
 fn name(curve: &AlbedoCurve) -> String {
     format!("{}, {}", curve.lobe, curve.factor)
-}
-
-fn title(of: Reflectance) -> String {
-    let model = of.model();
-    match (model.convention(), of.usage()) {
-        (Convention::Rdf | Convention::RdfCosine, _) => model.title().to_owned(),
-        (_, Usage::Printed) => format!("{}, as printed", model.title()),
-        (_, Usage::Microfacet) => format!("{}, V-cavities", model.title()),
-    }
 }

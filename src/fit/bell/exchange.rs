@@ -2,6 +2,7 @@
 
 use super::shape::{Piece, Place, Shape};
 use crate::fit::FitError;
+use crate::fit::continuum::golden_section;
 use argmin::core::{CostFunction, Error, Executor};
 use argmin::solver::neldermead::NelderMead;
 use nalgebra::{DMatrix, DVector};
@@ -150,7 +151,7 @@ fn alternation(shape: Shape, power: u32, x: &[f64]) -> Option<Vec<Place>> {
         .iter()
         .map(|&(i, place)| match place {
             Place::At(_) if i > 0 && i < SCAN as usize => {
-                Place::At(peak(|y| error(Place::At(y)).abs(), y(i as u32 - 1), y(i as u32 + 1)))
+                Place::At(golden_section((y(i as u32 - 1), y(i as u32 + 1)), |y| -error(Place::At(y)).abs()))
             }
             _ => place,
         })
@@ -159,16 +160,6 @@ fn alternation(shape: Shape, power: u32, x: &[f64]) -> Option<Vec<Place>> {
     let least = |run: &[Place]| run.iter().map(|&p| error(p).abs()).fold(f64::INFINITY, f64::min);
     let best = refined.windows(needed).max_by(|a, b| least(a).total_cmp(&least(b)))?;
     Some(best.to_vec())
-}
-
-/// The argument of a maximum between a and b, by golden section.
-fn peak(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
-    let golden = 0.5 * (libm::sqrt(5.0) - 1.0);
-    for _ in 0..60 {
-        let (left, right) = (b - golden * (b - a), a + golden * (b - a));
-        if f(left) > f(right) { b = right } else { a = left }
-    }
-    0.5 * (a + b)
 }
 
 /// The step towards error(placeᵢ) = (-1)ⁱ level.

@@ -5,6 +5,7 @@ use super::exchange::polish;
 use super::shape::Shape;
 use crate::bound::{BellProof, Supremum, exponential_bell};
 use crate::fit::FitError;
+use crate::fit::digits::round_to;
 
 /// Powers that are fitted.
 const POWERS: [u32; 5] = [2, 4, 8, 16, 32];
@@ -101,6 +102,5 @@ fn fitted(shape: Shape, power: u32) -> Result<ExponentialBell, FitError> {
 
 /// x to so many significant decimals.
 pub(super) fn rounded(x: f64, digits: usize) -> f64 {
-    // + 0 makes -0 a 0.
-    format!("{x:.*e}", digits.saturating_sub(1)).parse().unwrap_or(x) + 0.0
+    round_to(x, digits).parse().unwrap_or(x)
 }

@@ -109,6 +109,7 @@ impl Piece {
         let y = |i: u32| f64::from(i) / f64::from(steps);
         self.reach > 0.0
             && (0..steps).all(|i| self.at(y(i)) > self.at(y(i + 1)))
+            // A factor 1 - y leaves the rounding of three sums of numbers up to 4.
             && self.at(1.0) >= -4.0 * f64::EPSILON
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Profile;
 use crate::kernel::model::{Convention, Model};
-use crate::kernel::vector::{Vec3, dot, half_vector, reflect, sub};
+use crate::kernel::vector::{Vec3, dot, half_vector, reflect, versine_between};
 
 /// How a model's factor and lobe become reflected light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -108,6 +108,16 @@ impl Reflectance {
         }
     }
 
+    /// The model's title, and for a distribution of normals what is made of it.
+    pub fn title(self) -> String {
+        let title = self.model().title();
+        match (self.model().convention(), self.usage()) {
+            (Convention::Rdf | Convention::RdfCosine, _) => title.to_owned(),
+            (_, Usage::Printed) => format!("{title}, as printed"),
+            (_, Usage::Microfacet) => format!("{title}, V-cavities"),
+        }
+    }
+
     /// The model in that use; `None` for a reflectance, which is no distribution of normals.
     ///
     /// ```
@@ -159,12 +169,12 @@ impl Reflectance {
             return 0.0;
         }
         if self.is_about_mirror() {
-            let d = factor * lobe.at(between(reflect(to_view, normal), to_light));
+            let d = factor * lobe.at(versine_between(reflect(to_view, normal), to_light));
             return if self == Self::PhongModified { d } else { d / n_l };
         }
         let Some(half) = half_vector(to_light, to_view) else { return 0.0 };
         let (n_h, v_h) = (dot(normal, half), dot(to_view, half));
-        let d = factor * lobe.at(between(normal, half));
+        let d = factor * lobe.at(versine_between(normal, half));
         match self {
             Self::BlinnPhongModified => d,
             Self::BlinnPhong => d / n_l,
@@ -176,10 +186,4 @@ impl Reflectance {
             }
         }
     }
-}
-
-/// 1 - a·b of unit vectors, as |a - b|²/2: no cancellation where they are close.
-fn between(a: Vec3<f64>, b: Vec3<f64>) -> f64 {
-    let gap = sub(a, b);
-    0.5 * dot(gap, gap)
 }

@@ -5,7 +5,7 @@ use super::density::{Density, Profile, is_exponent, radial_pdf};
 use super::versine::sample_versine;
 use crate::kernel::model::Model;
 use crate::kernel::real::Real;
-use crate::kernel::vector::{Vec3, add, basis, dot, half_vector, reflect, scale, sub};
+use crate::kernel::vector::{Vec3, add, basis, dot, half_vector, reflect, scale, versine_between};
 
 /// Whether the model's lobe is about the half vector rather than the mirror direction.
 #[inline]
@@ -141,11 +141,4 @@ pub fn pdf<F: Real>(
     }
     let Some(half) = half_vector(to_light, to_view) else { return F::NAN };
     radial_pdf(density, n, versine_between(half, normal)) / (F::from_u32(4) * dot(to_view, half))
-}
-
-/// 1 - cos of the angle between unit vectors, |a - b|²/2.
-#[inline]
-fn versine_between<F: Real>(a: Vec3<F>, b: Vec3<F>) -> F {
-    let between = sub(a, b);
-    F::HALF * dot(between, between)
 }

@@ -2,8 +2,7 @@
 
 use super::sample::{empty, number};
 use super::{Figure, FigureError};
-use crate::integral::albedo::{AlbedoCurve, Reflectance, Usage};
-use crate::kernel::model::Convention;
+use crate::integral::albedo::{AlbedoCurve, Reflectance};
 use crate::report::chart::{Axis, Band, Chart, LineChart, Panels, Scale, Series, Style};
 
 /// The exponents drawn, each a figure of its own name.
@@ -70,7 +69,7 @@ fn differences(curves: &[&AlbedoCurve], n: f64) -> Figure {
         let series: Vec<Series> = own.map(less).collect();
         let size = series.iter().flat_map(|s| &s.points).map(|p| p.1.abs()).fold(1e-9, f64::max);
         let y = Axis::new("albedo less that of cosⁿ", Scale::Linear, (-1.1 * size, 1.1 * size));
-        Some(LineChart { title: title(of), series, ..empty(angles(), y) })
+        Some(LineChart { title: of.title(), series, ..empty(angles(), y) })
     };
     let largest = |lobe: &str| {
         let of = |reflectance| {
@@ -115,16 +114,6 @@ fn label(curve: &AlbedoCurve) -> String {
     format!("{}, factor {}", curve.lobe, curve.factor)
 }
 
-/// The model's title, and for a distribution of normals what is made of it.
-fn title(of: Reflectance) -> String {
-    let model = of.model();
-    match (model.convention(), of.usage()) {
-        (Convention::Rdf | Convention::RdfCosine, _) => model.title().into(),
-        (_, Usage::Printed) => format!("{}, as printed", model.title()),
-        (_, Usage::Microfacet) => format!("{}, V-cavities", model.title()),
-    }
-}
-
 fn panel(of: Reflectance, curves: &[&AlbedoCurve]) -> Option<LineChart> {
     let series: Vec<Series> = curves.iter().filter(|c| c.reflectance == of).map(|c| series(c)).collect();
     if series.is_empty() {
@@ -137,7 +126,7 @@ fn panel(of: Reflectance, curves: &[&AlbedoCurve]) -> Option<LineChart> {
     let y = Axis::new("albedo a(θ)", Scale::Linear, (floor, 1.0 + 0.08 * (1.0 - floor)));
     let gain = Band { label: "gains energy".into(), lo: 1.0, hi: f64::INFINITY };
     Some(LineChart {
-        title: title(of),
+        title: of.title(),
         subtitle: reciprocal.into(),
         bands: vec![gain],
         series,

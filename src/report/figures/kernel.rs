@@ -101,16 +101,18 @@ pub(super) fn over_n() -> Figure {
         (0..=800).map(error).fold(0.0, f64::max)
     };
     let exponents = |i: u32| 16.0 * libm::exp2(f64::from(i) / 16.0);
-    let series = LOBES
+    let series: Vec<Series> = LOBES
         .iter()
         .map(|(label, lobe)| {
             let points = (0..=192).map(exponents).map(|n| (n, largest(*lobe, n))).collect();
             Series::new(*label, Style::Line, points)
         })
         .collect();
-    let message = "The cubic lobes keep their error for every exponent; cs_16's grows to 1.7e-2";
+    let grown = series[0].points.iter().map(|p| p.1).fold(0.0, f64::max);
+    let message =
+        format!("The cubic lobes keep their error for every exponent; cs_16's grows to {}", number(grown));
     let chart = Chart::Line(LineChart {
-        title: message.into(),
+        title: message.clone(),
         subtitle: "Largest |lobe − cosⁿθ| over all angles, sampled; at n = 16 cs_16 is cosⁿ itself.".into(),
         series,
         ..empty(
