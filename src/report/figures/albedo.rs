@@ -43,7 +43,7 @@ fn drawn(curves: &[AlbedoCurve], n: f64) -> Result<Vec<&AlbedoCurve>, FigureErro
 fn figure(curves: &[&AlbedoCurve], n: f64, stem: &'static str) -> Figure {
     let highest = curves.iter().map(|c| c.supremum.at.value.value).fold(0.0, f64::max);
     let message =
-        format!("n = {n}: every lobe fades alike towards grazing light; the largest albedo is {highest:.4}");
+        format!("n = {n}: the lobes' albedos nearly coincide at every angle; the largest is {highest:.4}");
     let charts = Reflectance::ALL.into_iter().filter_map(|of| panel(of, curves)).collect();
     let chart = Chart::Panels(Panels {
         title: message.clone(),
