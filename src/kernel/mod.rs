@@ -28,6 +28,7 @@ pub mod exact;
 pub mod factor;
 pub mod lobe;
 pub mod model;
+pub mod pixel;
 pub mod real;
 pub mod sampling;
 pub mod shading;

@@ -65,6 +65,20 @@ pub trait Real:
     fn cos(self) -> Self;
     /// arcsin x in radians; NaN outside [-1, 1].
     fn asin(self) -> Self;
+    /// The angle of (x, y) = (`other`, `self`) from the x axis, in (-π, π]; 0 at the origin.
+    fn atan2(self, other: Self) -> Self;
+    /// √(x² + y²) without overflow or underflow of the squares; +∞ if either is infinite.
+    fn hypot(self, other: Self) -> Self;
+    /// Complementary error function, 2/√π ∫ₓ^∞ e^(-t²) dt.
+    fn erfc(self) -> Self;
+    /// a d - b c, accurate even where the products nearly cancel: to 1.5 u of the result for `f64` (Kahan's
+    /// algorithm) and correctly rounded but for a second rounding for `f32` (in double precision, where
+    /// the products are exact), as long as no product leaves the type's range.
+    fn cross(a: Self, b: Self, c: Self, d: Self) -> Self;
+    /// x 2ᵉ, exact unless it leaves the type's range.
+    fn scaled(self, exponent: i32) -> Self;
+    /// e with 2ᵉ ≤ |x| < 2ᵉ⁺¹; without meaning for 0 and non-finite x.
+    fn exponent(self) -> i32;
     /// eˣ.
     fn exp(self) -> Self;
     /// 2ˣ.
@@ -99,7 +113,7 @@ pub trait Real:
 }
 
 macro_rules! real {
-    ($float:ident, $($method:ident = $libm:ident),+; $pow:ident) => {
+    ($float:ident, $($method:ident = $libm:ident),+; $($pair:ident = $of_two:ident),+; $scalbn:ident, $ilogb:ident, $cross:ident) => {
         impl Real for $float {
             const ZERO: Self = 0.0;
             const HALF: Self = 0.5;
@@ -126,9 +140,23 @@ macro_rules! real {
                     libm::$libm(self)
                 }
             )+
+            $(
+                #[inline]
+                fn $pair(self, other: Self) -> Self {
+                    libm::$of_two(self, other)
+                }
+            )+
             #[inline]
-            fn pow(self, exponent: Self) -> Self {
-                libm::$pow(self, exponent)
+            fn cross(a: Self, b: Self, c: Self, d: Self) -> Self {
+                $cross(a, b, c, d)
+            }
+            #[inline]
+            fn scaled(self, exponent: i32) -> Self {
+                libm::$scalbn(self, exponent)
+            }
+            #[inline]
+            fn exponent(self) -> i32 {
+                libm::$ilogb(self)
             }
             #[inline]
             fn is_nan(self) -> bool {
@@ -142,7 +170,23 @@ macro_rules! real {
     };
 }
 
+/// The products of two 24-bit significands fit into 53.
+#[inline]
+fn cross_f32(a: f32, b: f32, c: f32, d: f32) -> f32 {
+    (f64::from(a) * f64::from(d) - f64::from(b) * f64::from(c)) as f32
+}
+
+/// Kahan's difference of products: the rounding of b c is found by a fused multiply-add and taken back.
+#[inline]
+fn cross_f64(a: f64, b: f64, c: f64, d: f64) -> f64 {
+    let product = b * c;
+    let lost = libm::fma(-b, c, product);
+    libm::fma(a, d, -product) + lost
+}
+
 real!(f32, sqrt = sqrtf, cbrt = cbrtf, sin = sinf, cos = cosf, asin = asinf, exp = expf, exp2 = exp2f,
-    expm1 = expm1f, log = logf, log1p = log1pf, abs = fabsf; powf);
+    expm1 = expm1f, log = logf, log1p = log1pf, abs = fabsf, erfc = erfcf; pow = powf, atan2 = atan2f, hypot = hypotf;
+    scalbnf, ilogbf, cross_f32);
 real!(f64, sqrt = sqrt, cbrt = cbrt, sin = sin, cos = cos, asin = asin, exp = exp, exp2 = exp2,
-    expm1 = expm1, log = log, log1p = log1p, abs = fabs; pow);
+    expm1 = expm1, log = log, log1p = log1p, abs = fabs, erfc = erfc; pow = pow, atan2 = atan2, hypot = hypot;
+    scalbn, ilogb, cross_f64);
