@@ -20,6 +20,8 @@
 //! | (not there) bells of degree three | [`cubic::cubic_bell`], [`cubic::CubicLobe`] |
 //! | (not there) L drawn for V, its density | [`sampling::sample`], [`sampling::pdf`] |
 //! | k_a, k_d, k_s | the fields of [`shading::PhongLambert`] |
+//!
+//! The pixel paper's symbols: [`pixel`].
 
 pub mod bell;
 pub mod constants;

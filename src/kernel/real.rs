@@ -47,6 +47,8 @@ pub trait Real:
     const PI: Self;
     /// A quiet NaN.
     const NAN: Self;
+    /// +∞.
+    const INFINITY: Self;
 
     /// `value` rounded to the type.
     fn from_f64(value: f64) -> Self;
@@ -65,19 +67,72 @@ pub trait Real:
     fn cos(self) -> Self;
     /// arcsin x in radians; NaN outside [-1, 1].
     fn asin(self) -> Self;
-    /// The angle of (x, y) = (`other`, `self`) from the x axis, in (-π, π]; 0 at the origin.
+    /// The angle of (x, y) = (`other`, `self`) from the x axis, in [-π, π].
+    ///
+    /// On the axes signed zeros decide, as in IEEE 754: (x, +0) is at 0 or π and (x, -0) at -0 or -π, the
+    /// origin too. NaN in either: NaN.
+    ///
+    /// ```
+    /// use bellfit::kernel::real::Real;
+    /// assert_eq!(Real::atan2(2.0_f64, 0.0), std::f64::consts::FRAC_PI_2);
+    /// assert_eq!(Real::atan2(0.0_f64, 0.0), 0.0);
+    /// assert_eq!(Real::atan2(-0.0_f64, -1.0), -std::f64::consts::PI);
+    /// ```
     fn atan2(self, other: Self) -> Self;
-    /// √(x² + y²) without overflow or underflow of the squares; +∞ if either is infinite.
+    /// √(x² + y²) without overflow or underflow of the squares; +∞ if either is infinite, beside a NaN too,
+    /// else NaN if either is NaN.
+    ///
+    /// ```
+    /// use bellfit::kernel::real::Real;
+    /// assert_eq!(Real::hypot(3e30_f32, 4e30), 5e30); // the squares are beyond the type
+    /// ```
     fn hypot(self, other: Self) -> Self;
-    /// Complementary error function, 2/√π ∫ₓ^∞ e^(-t²) dt.
+    /// Error function, 2/√π ∫₀ˣ e^(-t²) dt; ±1 at ±∞. Keeps its relative accuracy near 0.
+    ///
+    /// ```
+    /// use bellfit::kernel::real::Real;
+    /// assert_eq!(Real::erf(1e-20_f64) / 1e-20, std::f64::consts::FRAC_2_SQRT_PI);
+    /// ```
+    fn erf(self) -> Self;
+    /// Complementary error function, 2/√π ∫ₓ^∞ e^(-t²) dt = 1 - erf x; 2 at -∞, 0 at +∞. Keeps its
+    /// relative accuracy for large x, where 1 - erf x would be 0.
+    ///
+    /// ```
+    /// use bellfit::kernel::real::Real;
+    /// assert_eq!((Real::erfc(0.0_f64), Real::erfc(f64::INFINITY)), (1.0, 0.0));
+    /// assert!((Real::erfc(6.0_f64) / 2.1519736712498913e-17 - 1.0).abs() < 1e-15);
+    /// ```
     fn erfc(self) -> Self;
-    /// a d - b c, accurate even where the products nearly cancel: to 1.5 u of the result for `f64` (Kahan's
-    /// algorithm) and correctly rounded but for a second rounding for `f32` (in double precision, where
-    /// the products are exact), as long as no product leaves the type's range.
+    /// a d - b c, accurate where the products nearly cancel.
+    ///
+    /// - `f64`: relative error at most 2 u, u = 2⁻⁵³, and 1.5 ulp: W. Kahan's form with two fused
+    ///   multiply-adds (C.-P. Jeannerod, N. Louvet, J.-M. Muller, Math. Comp. 82, 2013; 1.9 u met), as
+    ///   long as no product leaves the range 2⁻⁹⁶⁸ to 2¹⁰²⁴: below, what its rounding lost underflows.
+    /// - `f32`: at most u (1 + 2⁻²⁸), u = 2⁻²⁴, in double precision, where the products are exact and stay in
+    ///   range whatever the arguments are; the result may still leave that of `f32`.
+    /// - NaN, and products that are ∞ - ∞ or 0·∞: NaN.
+    ///
+    /// ```
+    /// use bellfit::kernel::real::Real;
+    /// let (a, d) = (1.0_f64 + f64::EPSILON, 1.0 - f64::EPSILON);
+    /// assert_eq!(Real::cross(a, 1.0, 1.0, d), -f64::EPSILON * f64::EPSILON);
+    /// assert_eq!(a * d - 1.0, 0.0);
+    /// ```
     fn cross(a: Self, b: Self, c: Self, d: Self) -> Self;
-    /// x 2ᵉ, exact unless it leaves the type's range.
+    /// x 2ᵉ, exact unless it leaves the type's range: +∞ or -∞ above, rounded once below. 0, ±∞ and NaN
+    /// stay what they are.
+    ///
+    /// ```
+    /// use bellfit::kernel::real::Real;
+    /// assert_eq!((Real::scaled(0.75_f32, 4), Real::scaled(1.0_f32, 200)), (12.0, f32::INFINITY));
+    /// ```
     fn scaled(self, exponent: i32) -> Self;
-    /// e with 2ᵉ ≤ |x| < 2ᵉ⁺¹; without meaning for 0 and non-finite x.
+    /// e with 2ᵉ ≤ |x| < 2ᵉ⁺¹, subnormal x included; a large number without meaning for 0, ±∞ and NaN.
+    ///
+    /// ```
+    /// use bellfit::kernel::real::Real;
+    /// assert_eq!((Real::exponent(-12.0_f64), Real::exponent(1e-45_f32)), (3, -149));
+    /// ```
     fn exponent(self) -> i32;
     /// eˣ.
     fn exp(self) -> Self;
@@ -121,6 +176,7 @@ macro_rules! real {
             const TWO: Self = 2.0;
             const PI: Self = core::$float::consts::PI;
             const NAN: Self = $float::NAN;
+            const INFINITY: Self = $float::INFINITY;
 
             #[inline]
             fn from_f64(value: f64) -> Self {
@@ -185,8 +241,8 @@ fn cross_f64(a: f64, b: f64, c: f64, d: f64) -> f64 {
 }
 
 real!(f32, sqrt = sqrtf, cbrt = cbrtf, sin = sinf, cos = cosf, asin = asinf, exp = expf, exp2 = exp2f,
-    expm1 = expm1f, log = logf, log1p = log1pf, abs = fabsf, erfc = erfcf; pow = powf, atan2 = atan2f, hypot = hypotf;
+    expm1 = expm1f, log = logf, log1p = log1pf, abs = fabsf, erf = erff, erfc = erfcf; pow = powf, atan2 = atan2f, hypot = hypotf;
     scalbnf, ilogbf, cross_f32);
 real!(f64, sqrt = sqrt, cbrt = cbrt, sin = sin, cos = cos, asin = asin, exp = exp, exp2 = exp2,
-    expm1 = expm1, log = log, log1p = log1p, abs = fabs, erfc = erfc; pow = pow, atan2 = atan2, hypot = hypot;
+    expm1 = expm1, log = log, log1p = log1p, abs = fabs, erf = erf, erfc = erfc; pow = pow, atan2 = atan2, hypot = hypot;
     scalbn, ilogb, cross_f64);

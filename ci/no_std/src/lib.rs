@@ -10,6 +10,10 @@ use bellfit::kernel::exact::cs_16_factor_exact;
 use bellfit::kernel::factor::{cos_n_factor, cs_16_factor, cs_16_factor_printed};
 use bellfit::kernel::lobe::{cos_n, cs, cs_16, cs_versine, cut_exact, gaussian, schlick, versine};
 use bellfit::kernel::model::Model;
+use bellfit::kernel::pixel::{
+    Axes, Footprint, Inverse, Padding, PaperReading, PixelWeight, Polygon, RADIUS, SIGMA, clip_volume,
+    clip_volume_cut, coverage, half_plane,
+};
 use bellfit::kernel::sampling::{Profile, pdf, sample};
 use bellfit::kernel::shading::{PhongLambert, phong_lambert_with};
 use bellfit::kernel::vector::{Vec3, dot, half_vector};
@@ -47,6 +51,24 @@ pub fn reflection(cos: f32, n: f32) -> f32 {
 /// The cubic lobe, and the bell for e⁻ᵗ.
 pub fn cubic(cos: f32, n: f32, t: f64) -> (f32, f64) {
     (CubicLobe::<4, f32>::new(n).at(cos), cubic_bell::<8, f64>(t))
+}
+
+/// Weight of the texel at (u, v) from a pixel's middle in single precision, by the share of it that is inside.
+pub fn texel(polygon: &Polygon<f32>, x: f32, y: f32, u: f32, v: f32) -> f32 {
+    let j = polygon.jacobian(x, y).scaled(0.5);
+    let footprint = Footprint::of(j, Padding::Padded);
+    let weight = PixelWeight::Paper(PaperReading::R2).at(footprint.q(u, v), 0.0);
+    weight * coverage(&footprint, u, v)
+}
+
+/// The same in double precision with the other forms, and the pixel's volume beyond a line.
+pub fn rim(polygon: &Polygon<f64>, x: f64, y: f64, u: f64, v: f64) -> [f64; 4] {
+    let j = polygon.jacobian(x, y).scaled(0.5);
+    let (a, b) = Axes::of(j, Padding::Padded).frame().coordinates(u, v);
+    let weight = PixelWeight::PaperProduct(PaperReading::R1).at(a * a, b * b);
+    let tangent = half_plane(&Footprint::of(j, Padding::Padded), u, v);
+    let q = Inverse::of(j, Padding::Padded).q(u, v);
+    [weight * tangent, q, clip_volume(u, SIGMA), clip_volume_cut(v, SIGMA, RADIUS)]
 }
 
 /// Every elementary function that the kernels take from `libm`, in both types.

@@ -4,15 +4,39 @@ use super::{Frame, Jacobian};
 use crate::kernel::real::Real;
 
 /// Whether a texel's own size is added to the footprint.
+///
+/// ```
+/// use bellfit::kernel::pixel::{Footprint, Jacobian, Padding};
+/// let point = Jacobian { ux: 0.0_f64, vx: 0.0, uy: 0.0, vy: 0.0 };
+/// assert_eq!(Footprint::of(point, Padding::Plain).bounds(), (0.0, 0.0));
+/// assert_eq!(Footprint::of(point, Padding::Padded).bounds(), (1.0, 1.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Padding {
     /// M = J Jᵀ.
     Plain,
-    /// M = J Jᵀ + I, so that no axis is shorter than one texel.
+    /// M = J Jᵀ + I, so that no semi-axis is shorter than one texel.
     Padded,
 }
 
-/// Ellipse of texels under a pixel, by its matrix M.
+/// Ellipse xᵀ M⁻¹ x ≤ 1 of texels under a pixel, by its matrix M: what an inner loop over texels needs.
+///
+/// - Domain, in which nothing over- or underflows: components of J up to 2³¹ (2e9) in `f32` and 2²⁵⁵ (5e76)
+///   in `f64`; when plain also |det J| and the lengths of J's rows at least 2⁻⁶³ (1e-19) or 2⁻⁵¹¹ (1e-154).
+///   [`Inverse`](super::Inverse) has no such limits.
+/// - Below: what vanishes is degenerate. Above, where an entry or det M is infinite: NaN.
+/// - Degenerate, det M = 0 (parallel or zero columns, when plain): the ellipse holds nothing, Q = +∞ at
+///   every finite point, its middle included. J not finite: NaN.
+/// - Accuracy for Q ≤ 1: absolute error at most 16 u times the aspect of the ellipse, u = 2⁻²⁴ or 2⁻⁵³
+///   (sampled, 1.6 u met): `u - middle` cancels to the minor axis' size from the major's.
+///
+/// ```
+/// use bellfit::kernel::pixel::{Footprint, Jacobian, Padding};
+/// let j = Jacobian { ux: 3.0_f64, vx: 1.0, uy: 0.0, vy: 2.0 };
+/// let footprint = Footprint::of(j, Padding::Plain);
+/// assert_eq!((footprint.uu, footprint.uv, footprint.vv, footprint.determinant), (9.0, 3.0, 5.0, 36.0));
+/// assert!((footprint.q(3.0, 1.0) - 1.0).abs() < 1e-15);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Footprint<F> {
     /// M's entry of u with u: the square of the half width.
@@ -26,6 +50,16 @@ pub struct Footprint<F> {
 }
 
 /// One row of an ellipse: Q = `least` + `curvature` (u - `middle`)².
+///
+/// The row's texels inside are those with |u - `middle`| ≤ √((1 - `least`)/`curvature`), none for `least`
+/// above 1.
+///
+/// ```
+/// use bellfit::kernel::pixel::{Footprint, Jacobian, Padding, Row};
+/// let j = Jacobian { ux: 3.0_f64, vx: 0.0, uy: 0.0, vy: 2.0 };
+/// let row = Footprint::of(j, Padding::Plain).row(1.0);
+/// assert_eq!(row, Row { middle: 0.0, least: 1.0 / 4.0, curvature: 1.0 / 9.0 });
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row<F> {
     /// u where Q is least.
@@ -37,20 +71,40 @@ pub struct Row<F> {
 }
 
 impl<F: Real> Footprint<F> {
-    /// Of a Jacobian.
+    /// Of a Jacobian: M = J Jᵀ, and I more where padded; det M = (det J)², and uu + vv + 1 more of the plain.
+    ///
+    /// ```
+    /// use bellfit::kernel::pixel::{Footprint, Jacobian, Padding};
+    /// let j = Jacobian { ux: 3.0_f64, vx: 1.0, uy: 0.0, vy: 2.0 };
+    /// let footprint = Footprint::of(j, Padding::Padded);
+    /// assert_eq!((footprint.uu, footprint.uv, footprint.vv), (10.0, 3.0, 6.0));
+    /// assert_eq!(footprint.determinant, 10.0 * 6.0 - 3.0 * 3.0);
+    /// ```
     #[inline]
     pub fn of(j: Jacobian<F>, padding: Padding) -> Self {
         let (uu, vv) = (j.ux * j.ux + j.uy * j.uy, j.vx * j.vx + j.vy * j.vy);
         let (uv, det) = (j.ux * j.vx + j.uy * j.vy, j.determinant());
+        let determinant = det * det;
+        // An infinite entry would give a finite and wrong Q.
+        if !(uu.is_finite() && vv.is_finite() && determinant.is_finite()) {
+            return Footprint { uu: F::NAN, uv: F::NAN, vv: F::NAN, determinant: F::NAN };
+        }
         match padding {
-            Padding::Plain => Footprint { uu, uv, vv, determinant: det * det },
+            Padding::Plain => Footprint { uu, uv, vv, determinant },
             Padding::Padded => {
-                Footprint { uu: uu + F::ONE, uv, vv: vv + F::ONE, determinant: det * det + uu + vv + F::ONE }
+                let determinant = determinant + uu + vv + F::ONE;
+                Footprint { uu: uu + F::ONE, uv, vv: vv + F::ONE, determinant }
             }
         }
     }
 
-    /// Of axes.
+    /// Of axes: M from [`Frame::matrix`], det M = (major minor)².
+    ///
+    /// ```
+    /// use bellfit::kernel::pixel::{Axes, Footprint};
+    /// let footprint = Footprint::along(&Axes { major: 3.0_f64, minor: 2.0, tilt: 0.0 }.frame());
+    /// assert_eq!(footprint, Footprint { uu: 9.0, uv: 0.0, vv: 4.0, determinant: 36.0 });
+    /// ```
     #[inline]
     pub fn along(frame: &Frame<F>) -> Self {
         let [uu, uv, vv] = frame.matrix();
@@ -58,15 +112,41 @@ impl<F: Real> Footprint<F> {
         Footprint { uu, uv, vv, determinant: area * area }
     }
 
-    /// Half width and half height of the bounding box.
+    /// Half width √uu and half height √vv of the ellipse's bounding box, in texels.
+    ///
+    /// ```
+    /// use bellfit::kernel::pixel::{Footprint, Jacobian, Padding};
+    /// let j = Jacobian { ux: 3.0_f64, vx: 5.0, uy: 4.0, vy: 12.0 };
+    /// assert_eq!(Footprint::of(j, Padding::Plain).bounds(), (5.0, 13.0));
+    /// ```
     #[inline]
     pub fn bounds(&self) -> (F, F) {
         (self.uu.sqrt(), self.vv.sqrt())
     }
 
-    /// Q along the row at v from the middle: a sum of two squares, where nothing cancels.
+    /// The texture's u and v exchanged.
+    #[inline]
+    pub(super) fn swapped(&self) -> Self {
+        Footprint { uu: self.vv, vv: self.uu, ..*self }
+    }
+
+    /// Q along the row at v from the middle: a sum of two squares, v²/vv + (vv/det M)(u - v uv/vv)².
+    ///
+    /// Degenerate: `least` = +∞ and `curvature` = 0. NaN for v or the footprint: NaN.
+    ///
+    /// ```
+    /// use bellfit::kernel::pixel::{Footprint, Jacobian, Padding};
+    /// let j = Jacobian { ux: 3.0_f64, vx: 1.0, uy: 0.0, vy: 2.0 };
+    /// let row = Footprint::of(j, Padding::Plain).row(2.0);
+    /// assert!((row.middle - 2.0 * 3.0 / 5.0).abs() < 1e-15 && (row.least - 4.0 / 5.0).abs() < 1e-15);
+    /// assert!((row.curvature - 5.0 / 36.0).abs() < 1e-15);
+    /// ```
     #[inline]
     pub fn row(&self, v: F) -> Row<F> {
+        // As M is positive, it is singular only where det M is 0 or has underflowed.
+        if self.determinant == F::ZERO || self.vv == F::ZERO {
+            return Row { middle: F::ZERO, least: F::INFINITY + v, curvature: F::ZERO };
+        }
         Row {
             middle: v * (self.uv / self.vv),
             least: v * (v / self.vv),
@@ -74,7 +154,15 @@ impl<F: Real> Footprint<F> {
         }
     }
 
-    /// Q at (u, v) from the middle, in texels.
+    /// Q at (u, v) from the middle, in texels: 0 there, 1 on the ellipse.
+    ///
+    /// ```
+    /// use bellfit::kernel::pixel::{Footprint, Jacobian, Padding};
+    /// let j = Jacobian { ux: 3.0_f64, vx: 0.0, uy: 0.0, vy: 2.0 };
+    /// assert_eq!(Footprint::of(j, Padding::Plain).q(0.0, 4.0), 4.0);
+    /// let line = Footprint::of(Jacobian { vy: 0.0, ..j }, Padding::Plain);
+    /// assert_eq!(line.q(0.0, 0.0), f64::INFINITY);
+    /// ```
     #[inline]
     pub fn q(&self, u: F, v: F) -> F {
         let row = self.row(v);
