@@ -10,7 +10,7 @@ use bellfit::integral::albedo::{Profile, Reflectance, directional_albedo_plain};
 use bellfit::integral::{AGREEMENT, Case, GaussTable, Limit, Lobe, gauss_legendre};
 use bellfit::kernel::lobe::cos_n_versine;
 use bellfit::kernel::model::Model;
-use bellfit::paper::{ClaimsError, ClaimsFile, LOBE_PAPER};
+use bellfit::paper::{ClaimsError, ClaimsFile, LOBE_PAPER, PIXEL_PAPER};
 use bellfit::verdict::{Evidence, Judge, Judgement, Verdict};
 use core::f64::consts::PI;
 use draw::Draw;
@@ -228,8 +228,8 @@ fn no_mutation_of_a_file_makes_the_reader_panic() {
     let mut draw = Draw(300);
     let inserts: Vec<char> = "\"'[]{}=.,#\\\n\r\t\0 07-+eE^*/()nπ¦𝒳\u{feff}\u{200b}".chars().collect();
     let (mut read, mut refused) = (0, 0);
-    for _ in 0..300 {
-        let mut text = LOBE_PAPER.to_owned();
+    for i in 0..300 {
+        let mut text = [LOBE_PAPER, PIXEL_PAPER][i % 2].to_owned();
         for _ in 0..=draw.below(3) {
             let boundaries: Vec<usize> = text.char_indices().map(|(i, _)| i).collect();
             let from = draw.below(boundaries.len());

@@ -6,7 +6,7 @@
 #![cfg(feature = "toolkit")]
 #![allow(clippy::unwrap_used)] // helpers of tests may panic as tests do
 
-use bellfit::paper::{ClaimsFile, LOBE_PAPER};
+use bellfit::paper::{ClaimsFile, LOBE_PAPER, PIXEL_PAPER};
 use bellfit::verdict::Judge;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -367,8 +367,8 @@ fn named_claims(file: &str, source: &str) -> Vec<String> {
 fn no_code_names_a_claim() {
     let found: Vec<String> = sources().iter().flat_map(|(file, text)| named_claims(file, text)).collect();
     assert!(found.is_empty(), "{}", found.join("\n"));
-    // The ids are those of the file, so that a new one is forbidden as well.
-    let file = ClaimsFile::parse(LOBE_PAPER).unwrap();
+    // The ids are those of the files, so that a new one is forbidden as well.
+    let file = ClaimsFile::papers().unwrap();
     assert!(file.claims.iter().all(|claim| claim_ids().contains(&claim.id)));
     for (planted, source) in [
         (1, "fn f(id: &str) -> bool { id == \"L7\" }"),
@@ -384,15 +384,19 @@ fn no_code_names_a_claim() {
 
 #[test]
 fn renaming_every_claim_changes_the_id_column_alone() {
-    let ids: Vec<String> = ClaimsFile::parse(LOBE_PAPER).unwrap().claims.into_iter().map(|c| c.id).collect();
+    [LOBE_PAPER, PIXEL_PAPER].into_iter().for_each(renaming_changes_the_id_column_alone);
+}
+
+fn renaming_changes_the_id_column_alone(paper: &str) {
+    let ids: Vec<String> = ClaimsFile::parse(paper).unwrap().claims.into_iter().map(|c| c.id).collect();
     let rename = |id: &str| format!("renamed {}", id.to_lowercase());
-    let renamed = ids.iter().fold(LOBE_PAPER.to_owned(), |text, id| {
+    let renamed = ids.iter().fold(paper.to_owned(), |text, id| {
         let line = format!("\nid = \"{id}\"\n");
         assert_eq!(text.matches(&line).count(), 1, "{id}");
         text.replace(&line, &format!("\nid = \"{}\"\n", rename(id)))
     });
     let judge = |text: &str| Judge::default().judge(&ClaimsFile::parse(text).unwrap()).unwrap();
-    let (before, after) = (judge(LOBE_PAPER), judge(&renamed));
+    let (before, after) = (judge(paper), judge(&renamed));
     assert_eq!(before.len(), after.len());
     for (mut before, after) in before.into_iter().zip(after) {
         assert_ne!(before.claim, after.claim);

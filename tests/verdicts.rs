@@ -2,14 +2,16 @@
 //! refuted, and nothing is left open.
 #![cfg(feature = "toolkit")]
 
-use bellfit::paper::{ClaimsFile, Kind, LOBE_PAPER};
-use bellfit::verdict::{EXPECTED, Evidence, Expectations, ExpectedError, Judge, Judgement, Verdict};
+use bellfit::paper::{ClaimsFile, Kind};
+use bellfit::verdict::{
+    EXPECTED, EXPECTED_PIXEL, Evidence, Expectations, ExpectedError, Judge, Judgement, Verdict,
+};
 use std::sync::OnceLock;
 
 fn judgements() -> &'static [Judgement] {
     static JUDGED: OnceLock<Vec<Judgement>> = OnceLock::new();
     JUDGED.get_or_init(|| {
-        let claims = ClaimsFile::parse(LOBE_PAPER).expect("the claims are readable");
+        let claims = ClaimsFile::papers().expect("the claims are readable");
         Judge::default().judge(&claims).expect("every fit is made")
     })
 }
@@ -21,16 +23,17 @@ fn of<'a>(claim: &str, reading: &str) -> &'a Judgement {
 
 #[test]
 fn every_verdict_is_the_expected_one() {
-    let expected = Expectations::parse(EXPECTED).expect("the expectations are readable");
+    let expected = Expectations::papers().expect("the expectations are readable");
     assert_eq!(expected.differences(judgements()), []);
 }
 
 #[test]
 fn nothing_is_undecided_and_every_printed_number_is_certified() {
-    let claims = ClaimsFile::parse(LOBE_PAPER).expect("the claims are readable");
+    let claims = ClaimsFile::papers().expect("the claims are readable");
     let ids: Vec<&str> = claims.claims.iter().map(|c| c.id.as_str()).collect();
-    let all: Vec<String> = (1..=16).map(|i| format!("L{i}")).chain(["G1".into(), "G2".into()]).collect();
-    assert_eq!(ids, all, "the lobe paper's claims, and no others");
+    let lobe = (1..=16).map(|i| format!("L{i}")).chain(["G1".into(), "G2".into()]);
+    let all: Vec<String> = lobe.chain((0..=13).map(|i| format!("P{i}"))).collect();
+    assert_eq!(ids, all, "the papers' claims, and no others");
     for judgement in judgements() {
         let name = format!("{}, {}", judgement.claim, judgement.reading);
         assert_ne!(judgement.verdict, Verdict::Undecided, "{name}");
@@ -44,12 +47,13 @@ fn nothing_is_undecided_and_every_printed_number_is_certified() {
         }
         assert!(!judgement.witness.is_empty(), "{name}");
     }
-    // A definition is a convention, a figure, or a residual for which no bound is printed.
+    // A definition is a convention, a figure, or a number for which none is printed.
     for claim in &claims.claims {
         for reading in &claim.readings {
             let defines = match &reading.kind {
                 Kind::Definition { .. } => true,
                 Kind::FactorResidual { printed, .. } => printed.is_none(),
+                Kind::Pixel(kind) => kind.is_figure(),
                 _ => false,
             };
             let verdict = of(&claim.id, &reading.id).verdict;
@@ -115,7 +119,9 @@ fn every_angle_is_judged_on_estimates() {
 
 #[test]
 fn a_changed_expectation_is_seen() {
-    let differs = |text: &str| Expectations::parse(text).expect("readable").differences(judgements());
+    let lobe: Vec<Judgement> = judgements().iter().filter(|j| j.paper != "pixel").cloned().collect();
+    let differs = |text: &str| Expectations::parse(text).expect("readable").differences(&lobe);
+    assert!(differs(EXPECTED).is_empty() && differs(EXPECTED_PIXEL).len() > lobe.len());
     // A verdict turned round.
     let at = EXPECTED.find("verdict = \"refuted\"").expect("something is refuted");
     let turned = format!("{}verdict = \"proved\"{}", &EXPECTED[..at], &EXPECTED[at + 19..]);

@@ -2,9 +2,11 @@
 //! over all arguments. Nothing here estimates.
 
 mod bell;
+mod clipped;
 mod curve;
 mod difference;
 mod elementary;
+mod error_function;
 mod exact;
 mod extremes;
 mod fixed;
@@ -16,12 +18,15 @@ mod integrals;
 mod interval;
 mod jet;
 mod lobe_integral;
+mod multivariate;
 mod polynomial;
 mod quadrature;
 mod residual;
+mod scaled_bell;
 mod search;
 
 pub use bell::{BellProof, cosine_bell, exponential_bell};
+pub use clipped::ClippedPixel;
 pub use curve::{Curve, curved_range};
 pub use difference::{
     DifferenceExtreme, cos_n_range, cut_effect, cut_numerator, cut_range, difference_infimum,
@@ -37,7 +42,9 @@ pub use integrals::{IntegralRow, IntegralTable, integral_enclosure};
 pub use interval::Interval;
 pub use jet::{Jet, range};
 pub use lobe_integral::LobeIntegral;
+pub use multivariate::Multivariate;
 pub use polynomial::{Coefficient, Exponents, Polynomial};
 pub use quadrature::EnclosedRule;
 pub use residual::{Extreme, Extremes, Residual, normalises_exactly};
+pub use scaled_bell::{BestScale, best_scale, scaled_bell_excess};
 pub use search::{Supremum, infimum, supremum, supremum_near, supremum_until};

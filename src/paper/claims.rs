@@ -60,6 +60,16 @@ pub struct ClaimsFile {
 }
 
 impl ClaimsFile {
+    /// Both papers' claims, the lobe paper's first.
+    ///
+    /// # Errors
+    /// As for [`ClaimsFile::parse`].
+    pub fn papers() -> Result<Self, ClaimsError> {
+        let mut all = Self::parse(super::LOBE_PAPER)?;
+        all.claims.extend(Self::parse(super::PIXEL_PAPER)?.claims);
+        Ok(all)
+    }
+
     /// Reads a claims file (TOML, `version = 1`).
     ///
     /// # Errors

@@ -1,38 +1,18 @@
 //! The fields of a reading: each taken once by its kind, and none left over.
 
-use super::claims::{Reading, parse_range};
-use super::raw::{OneOrMany, RawReading};
-use super::{Comparison, CutForm, Kind, Over, Printed, Relation, Statistic};
-use crate::bound::{Formula, Gaussian};
-use crate::fit::{Form, Objective};
-use crate::integral::albedo::{Reflectance, Usage};
-use crate::integral::{Case, Limit, Lobe};
-use crate::kernel::model::Model;
+use super::Printed;
+use super::claims::Reading;
+use super::raw::RawReading;
 use std::collections::BTreeSet;
-use toml::Spanned;
 
 /// An error with its byte offset.
-type Problem = (usize, String);
+pub(super) type Problem = (usize, String);
 
 /// The readings that a raw one stands for: the product of its lists.
 pub(super) fn expand(raw: &RawReading) -> Result<Vec<Reading>, Problem> {
-    let lists: [(&str, &Option<Spanned<OneOrMany>>); 12] = [
-        ("model", &raw.model),
-        ("other", &raw.other),
-        ("lobe", &raw.lobe),
-        ("use", &raw.usage),
-        ("limit", &raw.limit),
-        ("cut", &raw.cut),
-        ("gaussian", &raw.gaussian),
-        ("objective", &raw.objective),
-        ("over", &raw.over),
-        ("statistic", &raw.statistic),
-        ("relation", &raw.relation),
-        ("compared", &raw.compared),
-    ];
     let mut choices: Vec<Vec<(&str, &str, usize)>> = vec![vec![]];
     let mut ids = vec![raw.id.get_ref().clone()];
-    for (key, list) in lists {
+    for (key, list) in raw.lists() {
         let Some(list) = list else { continue };
         let (at, list) = (list.span().start, list.get_ref());
         if list.words.is_empty() {
@@ -59,46 +39,30 @@ pub(super) fn expand(raw: &RawReading) -> Result<Vec<Reading>, Problem> {
 }
 
 /// The fields of one reading, each taken once by its kind.
-struct Fields<'a> {
-    raw: &'a RawReading,
+pub(super) struct Fields<'a> {
+    pub(super) raw: &'a RawReading,
     choice: Vec<(&'a str, &'a str, usize)>,
-    used: BTreeSet<&'static str>,
+    pub(super) used: BTreeSet<&'static str>,
 }
 
 impl Fields<'_> {
-    fn missing(&self, key: &str) -> Problem {
+    pub(super) fn missing(&self, key: &str) -> Problem {
         let kind = self.raw.kind.get_ref();
         (self.raw.kind.span().start, format!("kind \"{kind}\" needs `{key}`"))
     }
 
-    fn text(&mut self, key: &'static str) -> Option<(String, usize)> {
+    pub(super) fn text(&mut self, key: &'static str) -> Option<(String, usize)> {
         self.used.insert(key);
-        let field = self.plain().into_iter().find(|(name, _)| *name == key);
+        let field = self.raw.texts().into_iter().find(|(name, _)| *name == key);
         let field = field.and_then(|(_, field)| field.as_ref());
         field.map(|f| (f.get_ref().clone(), f.span().start))
     }
 
-    fn plain(&self) -> [(&'static str, &Option<Spanned<String>>); 10] {
-        let r = self.raw;
-        [
-            ("place", &r.place),
-            ("form", &r.form),
-            ("n", &r.n),
-            ("factor", &r.factor),
-            ("zero", &r.zero),
-            ("lower", &r.lower),
-            ("upper", &r.upper),
-            ("printed", &r.printed),
-            ("a", &r.a),
-            ("b", &r.b),
-        ]
-    }
-
-    fn needed(&mut self, key: &'static str) -> Result<(String, usize), Problem> {
+    pub(super) fn needed(&mut self, key: &'static str) -> Result<(String, usize), Problem> {
         self.text(key).ok_or_else(|| self.missing(key))
     }
 
-    fn word<T>(
+    pub(super) fn word<T>(
         &mut self,
         key: &'static str,
         read: impl Fn(&str) -> Option<T>,
@@ -110,7 +74,7 @@ impl Fields<'_> {
         read(word).ok_or_else(|| (at, format!("`{key}` is \"{word}\"; known are {known}")))
     }
 
-    fn word_or<T>(
+    pub(super) fn word_or<T>(
         &mut self,
         key: &'static str,
         default: T,
@@ -125,228 +89,32 @@ impl Fields<'_> {
         }
     }
 
-    fn formula(&mut self, key: &'static str) -> Result<Formula, Problem> {
-        let (text, at) = self.needed(key)?;
-        text.parse().map_err(|error: crate::bound::FormulaError| (at, error.to_string()))
+    /// One of a list of words.
+    pub(super) fn one_of<T: Copy>(
+        &mut self,
+        key: &'static str,
+        all: &[T],
+        id: impl Fn(T) -> &'static str,
+    ) -> Result<T, Problem> {
+        let known: Vec<&str> = all.iter().map(|word| id(*word)).collect();
+        self.word(key, |word| all.iter().copied().find(|known| id(*known) == word), &known.join(", "))
     }
 
-    fn printed(&mut self, key: &'static str) -> Result<Option<Printed>, Problem> {
+    pub(super) fn printed(&mut self, key: &'static str) -> Result<Option<Printed>, Problem> {
         let Some((text, at)) = self.text(key) else { return Ok(None) };
         let read = Printed::parse(&text).ok_or((at, format!("`{key}` is \"{text}\", not a decimal")))?;
         Ok(Some(read))
     }
 
-    fn printed_needed(&mut self, key: &'static str) -> Result<Printed, Problem> {
+    pub(super) fn printed_needed(&mut self, key: &'static str) -> Result<Printed, Problem> {
         self.printed(key)?.ok_or_else(|| self.missing(key))
-    }
-
-    fn range(&mut self) -> Result<(u32, u32), Problem> {
-        let (text, at) = self.needed("n")?;
-        parse_range(&text).map_err(|message| (at, message))
-    }
-
-    /// A range that starts at 16 or later, where cs_16 has its zero within the hemisphere.
-    fn range_from_16(&mut self) -> Result<(u32, u32), Problem> {
-        let (from, to) = self.range()?;
-        let at = self.raw.n.as_ref().map_or(0, |n| n.span().start);
-        if from >= 16 {
-            Ok((from, to))
-        } else {
-            Err((at, format!("n = {from}..{to}: this kind needs n ≥ 16")))
-        }
-    }
-
-    fn model(&mut self, key: &'static str) -> Result<Model, Problem> {
-        let known = Model::ALL.map(Model::id).join(", ");
-        self.word(key, Model::from_id, &known)
-    }
-
-    fn case(&mut self) -> Result<Case, Problem> {
-        let model = self.model("model")?;
-        let lobe = self.lobe()?;
-        let limit = self.limit("limit")?;
-        if !lobe.limits().contains(&limit) {
-            let at = self.raw.kind.span().start;
-            return Err((at, "lobe cos-n is integrated over its support only".to_owned()));
-        }
-        Ok(Case { model, lobe, limit })
-    }
-
-    fn lobe(&mut self) -> Result<Lobe, Problem> {
-        self.word_or("lobe", Lobe::Cs16, Lobe::from_id, "cos-n, cs16")
-    }
-
-    /// A model in its use; only a distribution of normals has two.
-    fn reflectance(&mut self) -> Result<Reflectance, Problem> {
-        let model = self.model("model")?;
-        let usage = self.word_or("use", Usage::Printed, Usage::from_id, "printed, microfacet")?;
-        let at = self.raw.usage.as_ref().map_or(0, |u| u.span().start);
-        Reflectance::new(model, usage)
-            .ok_or_else(|| (at, format!("model {} has no use \"{}\"", model.id(), usage.id())))
-    }
-
-    fn limit(&mut self, key: &'static str) -> Result<Limit, Problem> {
-        self.word(key, Limit::from_id, &Limit::ALL.map(Limit::id).join(", "))
-    }
-
-    fn over(&mut self) -> Result<Over, Problem> {
-        let read = |word: &str| match word {
-            "integers" => Some(Over::Integers),
-            "reals" => Some(Over::Reals),
-            _ => None,
-        };
-        self.word("over", read, "integers, reals")
-    }
-
-    fn statistic(&mut self) -> Result<Statistic, Problem> {
-        let read = |word: &str| match word {
-            "max" => Some(Statistic::Max),
-            "max-abs" => Some(Statistic::MaxAbs),
-            "min" => Some(Statistic::Min),
-            _ => None,
-        };
-        self.word("statistic", read, "max, max-abs, min")
-    }
-
-    fn relation(&mut self) -> Result<Relation, Problem> {
-        let read = |word: &str| match word {
-            "=" => Some(Relation::Equal),
-            "<=" => Some(Relation::AtMost),
-            _ => None,
-        };
-        self.word_or("relation", Relation::Equal, read, "=, <=")
-    }
-
-    fn gaussian(&mut self) -> Result<Gaussian, Problem> {
-        let read = |word: &str| Gaussian::ALL.into_iter().find(|g| g.id() == word);
-        self.word("gaussian", read, "gaussian-angle, gaussian-cosine")
-    }
-
-    fn kind(&mut self) -> Result<Kind, Problem> {
-        let kind = self.raw.kind.get_ref().as_str();
-        Ok(match kind {
-            "definition" => Kind::Definition { place: self.needed("place")?.0 },
-            "factor-residual" => {
-                let printed = self.printed("printed")?;
-                let place = if printed.is_none() { self.text("place").map(|(text, _)| text) } else { None };
-                if printed.is_none() && place.is_none() {
-                    return Err(self.missing("printed"));
-                }
-                Kind::FactorResidual {
-                    case: self.case()?,
-                    factor: self.formula("factor")?,
-                    text: self.needed("factor")?.0,
-                    n: self.range()?,
-                    over: self.over()?,
-                    statistic: self.statistic()?,
-                    relation: self.relation()?,
-                    printed,
-                    place,
-                }
-            }
-            "energy" => Kind::Energy {
-                case: self.case()?,
-                factor: self.formula("factor")?,
-                n: self.range()?,
-                over: self.over()?,
-            },
-            "energy-at-every-angle" => Kind::EnergyAtEveryAngle {
-                reflectance: self.reflectance()?,
-                lobe: self.lobe()?,
-                factor: self.formula("factor")?,
-                n: self.range()?,
-            },
-            "lobe-difference" => Kind::LobeDifference {
-                cut: self.limit("cut")?,
-                n: self.range_from_16()?,
-                statistic: self.statistic()?,
-                relation: self.relation()?,
-                printed: self.printed_needed("printed")?,
-            },
-            "cut" => Kind::Cut {
-                form: self.cut_form()?,
-                n: self.range_from_16()?,
-                printed: self.printed_needed("printed")?,
-            },
-            "cut-effect" => {
-                let read = |word: &str| match word {
-                    "less" => Some(Comparison::Less),
-                    "tenth" => Some(Comparison::Tenth),
-                    "each-n" => Some(Comparison::EachN),
-                    _ => None,
-                };
-                let comparison = self.word("compared", read, "less, tenth, each-n")?;
-                Kind::CutEffect { cut: self.limit("cut")?, n: self.range_from_16()?, comparison }
-            }
-            "lobe-zero" => Kind::LobeZero { zero: self.formula("zero")? },
-            "factor-identity" => Kind::FactorIdentity {
-                model: self.model("model")?,
-                factor: self.formula("factor")?,
-                text: self.needed("factor")?.0,
-            },
-            "factor-inequality" => {
-                let (from, _) = self.range()?;
-                Kind::FactorInequality { lower: self.formula("lower")?, upper: self.formula("upper")?, from }
-            }
-            "same-integral" => {
-                Kind::SameIntegral { model: self.model("model")?, other: self.model("other")? }
-            }
-            "fit" => {
-                let read = |word: &str| Objective::from_id(word).filter(|o| *o != Objective::Minimax);
-                let (form, at) = self.needed("form")?;
-                let form = Form::from_id(&form)
-                    .ok_or((at, format!("`form` is \"{form}\"; known are linear, proportional")))?;
-                let b = if form == Form::Linear { Some(self.printed_needed("b")?) } else { None };
-                Kind::Fit {
-                    case: self.case()?,
-                    objective: self.word("objective", read, "ls-absolute, ls-relative")?,
-                    form,
-                    n: self.range()?,
-                    a: self.printed_needed("a")?,
-                    b,
-                }
-            }
-            "gaussian-falls" => Kind::GaussianFalls { gaussian: self.gaussian()?, n: self.range_from_16()? },
-            "gaussian-beats-lobe" => {
-                Kind::GaussianBeatsLobe { gaussian: self.gaussian()?, n: self.range_from_16()? }
-            }
-            "bell-falls" => Kind::BellFalls { powers: self.powers()? },
-            _ => {
-                let message = format!("unknown kind \"{kind}\"");
-                return Err((self.raw.kind.span().start, message));
-            }
-        })
-    }
-
-    fn cut_form(&mut self) -> Result<CutForm, Problem> {
-        let (text, at) = self.needed("form")?;
-        match text.as_str() {
-            "c/sqrt(n)" => Ok(CutForm::OverRoot),
-            "sqrt(c/n)" => Ok(CutForm::RootOver),
-            _ => Err((at, format!("`form` is \"{text}\"; known are c/sqrt(n), sqrt(c/n)"))),
-        }
-    }
-
-    fn powers(&mut self) -> Result<Vec<u32>, Problem> {
-        self.used.insert("powers");
-        let powers = self.raw.powers.as_ref().ok_or_else(|| self.missing("powers"))?;
-        let list = powers.get_ref().clone();
-        let sound = list.len() >= 2
-            && list.windows(2).all(|w| w[0] < w[1])
-            && list[0] >= 1
-            && list[list.len() - 1] <= 64;
-        if sound {
-            Ok(list)
-        } else {
-            Err((powers.span().start, "`powers` needs two or more ascending K in 1..=64".to_owned()))
-        }
     }
 
     /// What the kind has no use for is an error, not silently ignored.
     fn none_left(&self) -> Result<(), Problem> {
         let kind = self.raw.kind.get_ref();
         let unused = |key: &str, at: usize| (at, format!("kind \"{kind}\" has no `{key}`"));
-        for (key, field) in self.plain() {
+        for (key, field) in self.raw.texts() {
             if let Some(field) = field
                 && !self.used.contains(key)
             {

@@ -1,6 +1,6 @@
 //! The kinds of statement a claims file can make. The judge dispatches on these alone.
 
-use super::Printed;
+use super::{PixelKind, Printed};
 use crate::bound::{Formula, Gaussian};
 use crate::fit::{Form, Objective};
 use crate::integral::albedo::Reflectance;
@@ -202,6 +202,8 @@ pub enum Kind {
         /// The powers K, ascending.
         powers: Vec<u32>,
     },
+    /// A statement about pixels.
+    Pixel(PixelKind),
 }
 
 impl Kind {
@@ -223,6 +225,7 @@ impl Kind {
             Kind::GaussianFalls { .. } => "gaussian-falls",
             Kind::GaussianBeatsLobe { .. } => "gaussian-beats-lobe",
             Kind::BellFalls { .. } => "bell-falls",
+            Kind::Pixel(kind) => kind.id(),
         }
     }
 }

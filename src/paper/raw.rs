@@ -45,6 +45,26 @@ pub(super) struct RawReading {
     pub statistic: Option<Spanned<OneOrMany>>,
     pub relation: Option<Spanned<OneOrMany>>,
     pub compared: Option<Spanned<OneOrMany>>,
+    pub denominator: Option<Spanned<OneOrMany>>,
+    pub tilt: Option<Spanned<OneOrMany>>,
+    pub weight: Option<Spanned<OneOrMany>>,
+    pub shape: Option<Spanned<OneOrMany>>,
+    pub power: Option<Spanned<OneOrMany>>,
+    pub exponent: Option<Spanned<OneOrMany>>,
+    pub sign: Option<Spanned<OneOrMany>>,
+    pub inner: Option<Spanned<OneOrMany>>,
+    pub second: Option<Spanned<OneOrMany>>,
+    pub base: Option<Spanned<OneOrMany>>,
+    pub vectors: Option<Spanned<OneOrMany>>,
+    pub octant: Option<Spanned<OneOrMany>>,
+    pub figure: Option<Spanned<OneOrMany>>,
+    pub property: Option<Spanned<OneOrMany>>,
+    pub region: Option<Spanned<OneOrMany>>,
+    pub pixel: Option<Spanned<OneOrMany>>,
+    pub points: Option<Spanned<OneOrMany>>,
+    #[serde(rename = "constant-term")]
+    pub constant_term: Option<Spanned<OneOrMany>>,
+    pub share: Option<Spanned<OneOrMany>>,
     pub form: Option<Spanned<String>>,
     pub n: Option<Spanned<String>>,
     pub factor: Option<Spanned<String>>,
@@ -54,7 +74,70 @@ pub(super) struct RawReading {
     pub printed: Option<Spanned<String>>,
     pub a: Option<Spanned<String>>,
     pub b: Option<Spanned<String>>,
+    pub divisor: Option<Spanned<String>>,
+    pub constant: Option<Spanned<String>>,
+    pub linear: Option<Spanned<String>>,
+    pub square: Option<Spanned<String>>,
     pub powers: Option<Spanned<Vec<u32>>>,
+}
+
+impl RawReading {
+    /// The lists of words, in the order in which they are appended to a reading's id.
+    pub(super) fn lists(&self) -> [(&'static str, &Option<Spanned<OneOrMany>>); 31] {
+        [
+            ("model", &self.model),
+            ("other", &self.other),
+            ("lobe", &self.lobe),
+            ("use", &self.usage),
+            ("limit", &self.limit),
+            ("cut", &self.cut),
+            ("gaussian", &self.gaussian),
+            ("objective", &self.objective),
+            ("over", &self.over),
+            ("statistic", &self.statistic),
+            ("relation", &self.relation),
+            ("compared", &self.compared),
+            ("denominator", &self.denominator),
+            ("tilt", &self.tilt),
+            ("weight", &self.weight),
+            ("shape", &self.shape),
+            ("power", &self.power),
+            ("exponent", &self.exponent),
+            ("sign", &self.sign),
+            ("inner", &self.inner),
+            ("second", &self.second),
+            ("base", &self.base),
+            ("vectors", &self.vectors),
+            ("octant", &self.octant),
+            ("figure", &self.figure),
+            ("property", &self.property),
+            ("region", &self.region),
+            ("pixel", &self.pixel),
+            ("points", &self.points),
+            ("constant-term", &self.constant_term),
+            ("share", &self.share),
+        ]
+    }
+
+    /// The fields that hold one text.
+    pub(super) fn texts(&self) -> [(&'static str, &Option<Spanned<String>>); 14] {
+        [
+            ("place", &self.place),
+            ("form", &self.form),
+            ("n", &self.n),
+            ("factor", &self.factor),
+            ("zero", &self.zero),
+            ("lower", &self.lower),
+            ("upper", &self.upper),
+            ("printed", &self.printed),
+            ("a", &self.a),
+            ("b", &self.b),
+            ("divisor", &self.divisor),
+            ("constant", &self.constant),
+            ("linear", &self.linear),
+            ("square", &self.square),
+        ]
+    }
 }
 
 /// One word, or a list of words that each make a reading of their own.

@@ -6,7 +6,7 @@ use super::figures::Figure;
 use super::number::{enclosure, short};
 use super::readme::cell;
 use super::study::{NearestRow, Study, case};
-use super::summary::{Group, Summary, summaries};
+use super::summary::{Group, Summary, summaries, summaries_of};
 use super::table_one;
 use crate::bound::Interval;
 use crate::fit::Objective;
@@ -19,7 +19,7 @@ use std::fmt::Write;
 /// The whole report.
 pub(super) fn report(study: &Study, figures: &[Figure]) -> String {
     let mut text = String::from(
-        "# The lobe paper, verified\n\n\
+        "# The lobe and the pixel paper, verified\n\n\
          Written by `bellfit` (`cargo run --release`); every number here is computed, and stands with all its \
          digits in the files named beside it. *Proved* and *refuted* rest on enclosures or exact arithmetic, \
          over what the row says: the integers 16..1024, every real n of that range, every θ in [0, π/2]; only L13's \
@@ -98,9 +98,17 @@ fn capital(text: &str) -> String {
 }
 
 fn verdicts(study: &Study, text: &mut String) {
-    text.push_str("## Verdicts\n\n`reports/verdicts.csv`, `reports/verdicts.json`: one row a reading.\n\n");
+    text.push_str("## Verdicts\n\n`reports/verdicts.csv`, `reports/verdicts.json`: one row a reading.\n");
+    for (pixel, title) in [(false, "The lobe paper"), (true, "The pixel paper")] {
+        let _ = write!(text, "\n### {title}\n\n");
+        verdict_table(summaries_of(study, pixel), text);
+    }
+    text.push('\n');
+}
+
+fn verdict_table(summaries: Vec<Summary<'_>>, text: &mut String) {
     text.push_str("| claim | as stated | verdict | readings | computed | why |\n|---|---|---|---|---|---|\n");
-    for Summary { claim, groups } in &summaries(study) {
+    for Summary { claim, groups } in &summaries {
         for (i, group) in groups.iter().enumerate() {
             let (id, stated) =
                 if i == 0 { (claim.id.as_str(), cell(&claim.text)) } else { ("", String::new()) };
@@ -114,7 +122,6 @@ fn verdicts(study: &Study, text: &mut String) {
             );
         }
     }
-    text.push('\n');
 }
 
 /// The readings of a group: word by word what they share, and what they choose from.

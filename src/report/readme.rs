@@ -4,11 +4,11 @@ use super::artifacts::ArtifactError;
 use super::better;
 use super::markdown;
 use super::study::Study;
-use super::summary::{Group, summaries};
+use super::summary::{Group, summaries_of};
 use crate::verdict::Verdict;
 
 /// The blocks a README may ask for.
-const BLOCKS: [&str; 3] = ["cut", "verdicts", "kernels"];
+const BLOCKS: [&str; 4] = ["cut", "verdicts", "kernels", "verdicts-pixel"];
 
 fn begin(block: &str) -> String {
     format!("<!-- {block}: begin (written by `bellfit`, do not edit) -->")
@@ -19,9 +19,9 @@ fn end(block: &str) -> String {
 }
 
 /// One row a claim: its text, its verdict, and the reasons, without the vacuous ones.
-fn table(study: &Study) -> String {
+fn table(study: &Study, pixel: bool) -> String {
     let mut text = String::from("| claim | as stated | verdict | why |\n|---|---|---|---|\n");
-    for summary in summaries(study) {
+    for summary in summaries_of(study, pixel) {
         let telling = |g: &&Group| !g.vacuous;
         let of = |verdict| summary.groups.iter().filter(telling).find(|g| g.verdict == verdict);
         let reasons: Vec<String> = if summary.groups.iter().all(|g| g.verdict == Verdict::Definition) {
@@ -61,7 +61,8 @@ pub(super) fn splice_all(text: &str, study: &Study) -> Result<String, ArtifactEr
         let content = match block {
             "cut" => markdown::cut(study),
             "kernels" => better::kernels(study),
-            _ => table(study),
+            "verdicts-pixel" => table(study, true),
+            _ => table(study, false),
         };
         splice(&text, block, &content)
     })

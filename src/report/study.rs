@@ -7,8 +7,8 @@ use crate::fit::{FactorRow, FitError, FitRow, Line, Nearest, Objective};
 use crate::integral::albedo::{AlbedoCurve, AlbedoError};
 use crate::integral::{Case, Disagreement, Limit, Lobe};
 use crate::kernel::model::Model;
-use crate::paper::{ClaimsError, ClaimsFile, Kind, LOBE_PAPER, Printed};
-use crate::verdict::{EXPECTED, Expectations, ExpectedError, Judge, Judgement};
+use crate::paper::{ClaimsError, ClaimsFile, Kind, Printed};
+use crate::verdict::{Expectations, ExpectedError, Judge, Judgement};
 use std::time::Duration;
 use thiserror::Error;
 
@@ -116,8 +116,8 @@ impl Study {
     /// # Errors
     /// [`StudyError`] for whatever stops it.
     pub fn run(stage: &(dyn Fn(&str, Duration) + Sync)) -> Result<Self, StudyError> {
-        let claims = ClaimsFile::parse(LOBE_PAPER)?;
-        let expectations = Expectations::parse(EXPECTED)?;
+        let claims = ClaimsFile::papers()?;
+        let expectations = Expectations::papers()?;
         let clock = Clock::new(stage);
         let (judged, computed, better) = std::thread::scope(|scope| {
             let judge = scope.spawn(|| clock.time("verdicts", || Judge::default().judge(&claims)));

@@ -43,6 +43,15 @@ impl Summary<'_> {
     }
 }
 
+/// The pixel paper's name in its claims.
+const PIXEL: &str = "pixel";
+
+/// One summary a claim of the pixel paper, or of the lobe paper with the brief's.
+pub(super) fn summaries_of(study: &Study, pixel: bool) -> Vec<Summary<'_>> {
+    let of_paper = |summary: &Summary<'_>| (summary.claim.paper == PIXEL) == pixel;
+    summaries(study).into_iter().filter(of_paper).collect()
+}
+
 /// One summary a claim.
 pub(super) fn summaries(study: &Study) -> Vec<Summary<'_>> {
     study.claims.claims.iter().map(|claim| Summary { claim, groups: groups(study, claim) }).collect()

@@ -6,8 +6,11 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use thiserror::Error;
 
-/// The expected verdicts of the papers' claims.
+/// The expected verdicts of the lobe paper's claims.
 pub const EXPECTED: &str = include_str!("expected.toml");
+
+/// The expected verdicts of the pixel paper's claims.
+pub const EXPECTED_PIXEL: &str = include_str!("expected-pixel.toml");
 
 /// What is wrong between expectations and judgements.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
@@ -89,6 +92,21 @@ pub struct Expectations {
 }
 
 impl Expectations {
+    /// Those of both papers.
+    ///
+    /// # Errors
+    /// [`ExpectedError`] as for [`Expectations::parse`], and for a reading in both files.
+    pub fn papers() -> Result<Self, ExpectedError> {
+        let mut all = Self::parse(EXPECTED)?;
+        for (key, expectation) in Self::parse(EXPECTED_PIXEL)?.by_reading {
+            if all.by_reading.contains_key(&key) {
+                return Err(ExpectedError::Doubled(key.0, key.1));
+            }
+            all.by_reading.insert(key, expectation);
+        }
+        Ok(all)
+    }
+
     /// Reads the file.
     ///
     /// # Errors

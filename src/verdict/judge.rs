@@ -1,7 +1,7 @@
 //! The judge: one verdict a reading, by its kind alone.
 
 use super::judgement::{Evidence, Finding, Judgement, Verdict};
-use super::{albedo, algebra, lobes};
+use super::{albedo, algebra, lobes, pixel};
 use crate::bound::{DifferenceExtreme, Extremes, Fixed, Formula, Gaussian, Interval};
 use crate::fit::FitError;
 use crate::integral::{Case, Limit};
@@ -103,6 +103,7 @@ impl Judge {
             Kind::GaussianFalls { gaussian, n } => self.gaussian_falls(*gaussian, *n),
             Kind::GaussianBeatsLobe { gaussian, n } => self.gaussian_beats_lobe(*gaussian, *n),
             Kind::BellFalls { powers } => lobes::bell_falls(powers),
+            Kind::Pixel(kind) => pixel::judge(kind),
         };
         Ok((certified, Some(Evidence::Certified)))
     }

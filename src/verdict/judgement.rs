@@ -91,6 +91,12 @@ impl Finding {
         let verdict = if holds { Verdict::Proved } else { Verdict::Refuted };
         Finding { printed: String::new(), computed, verdict, witness }
     }
+
+    /// A number that nobody states: nothing to judge.
+    pub fn figure(computed: Interval, witness: String) -> Self {
+        let verdict = Verdict::Definition;
+        Finding { printed: String::new(), computed: Some(computed), verdict, witness }
+    }
 }
 
 /// A certified enclosure against what is printed.

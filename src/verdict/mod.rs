@@ -8,9 +8,10 @@ mod judge;
 mod judgement;
 mod lobes;
 mod minimum;
+mod pixel;
 mod residuals;
 
-pub use expected::{EXPECTED, Expectation, Expectations, ExpectedError};
+pub use expected::{EXPECTED, EXPECTED_PIXEL, Expectation, Expectations, ExpectedError};
 pub use judge::Judge;
 pub use judgement::{Evidence, Judgement, Verdict};
 pub use minimum::{MinimumProof, prove_minimum};
