@@ -44,6 +44,7 @@ fn heat() -> HeatMap {
         values,
         diverging: true,
         curves: vec![Series::new("cut", Style::Dashed, vec![(16.0, 1.0), (1024.0, 3.0)])],
+        labels: vec![],
     }
 }
 
@@ -92,7 +93,9 @@ fn frame(svg: &str) -> Vec<(f64, f64)> {
 }
 
 fn decode(bytes: &[u8]) -> (u32, u32, Vec<u8>) {
-    let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
+    let mut decoder = png::Decoder::new(std::io::Cursor::new(bytes));
+    decoder.set_transformations(png::Transformations::EXPAND);
+    let mut reader = decoder.read_info().unwrap();
     let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
     let info = reader.next_frame(&mut pixels).unwrap();
     assert_eq!(info.color_type, png::ColorType::Rgb);
@@ -347,4 +350,31 @@ fn a_heat_maps_first_value_is_at_the_lower_left() {
     assert_eq!(pixel(left + 24.0, bottom - 24.0), [0x7D, 0x15, 0x24]);
     assert_eq!(pixel(left + 24.0, top + 24.0), [0x15, 0x3B, 0x7C]);
     assert_eq!(pixel(right - 24.0, bottom - 24.0), [0x15, 0x3B, 0x7C]);
+}
+
+#[test]
+fn a_heat_maps_labels_are_dark_on_light_cells_and_white_on_dark() {
+    let mark = |at, text: &str| Mark { at, text: text.into() };
+    // Two cells of the same row: the palette's dark end and its light one.
+    let map = HeatMap {
+        x: Axis::new("x", Scale::Linear, (0.0, 2.0)),
+        y: Axis::new("y", Scale::Linear, (0.0, 1.0)),
+        value_range: (0.0, 1.0),
+        columns: 2,
+        rows: 1,
+        values: vec![0.0, 1.0],
+        diverging: false,
+        curves: vec![],
+        labels: vec![mark((0.5, 0.5), "low"), mark((1.5, 0.5), "high"), mark((9.0, 0.5), "nowhere")],
+        ..heat()
+    };
+    let svg = Chart::Heat(map).svg().unwrap();
+    let colour = |text: &str| {
+        let before = svg.split(&format!(">\n{text}\n<")).next().unwrap();
+        let tag = before.rsplit("<text ").next().unwrap();
+        assert!(before.len() < svg.len(), "{text}");
+        tag.split("fill=\"").nth(1).unwrap().split('"').next().unwrap().to_owned()
+    };
+    assert_eq!((colour("low").as_str(), colour("high").as_str()), ("#FFFFFF", "#222222"));
+    assert!(!svg.contains("nowhere"));
 }

@@ -1,13 +1,13 @@
 //! Volumes that a straight edge cuts off a round pixel of base diameter 1 and volume 1.
 
-use super::{Interval, Jet};
+use super::{Interval, Jet, Supremum, range, supremum};
 use crate::integral::Field;
 
 /// A round pixel over its base, the circle of diameter 1; every volume is 1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ClippedPixel {
-    /// The whole Gaussian with σ = 1/m of the base's diameter, what lies beyond the base included.
-    Gaussian(u32),
+    /// The whole Gaussian with σ = 1/m of the base's diameter, by m > 0, what lies beyond the base included.
+    Gaussian(Interval),
     /// The same cut off at the base and scaled up to volume 1.
     GaussianOnBase(u32),
     /// (1 - (2r)²)ᴷ on the base; K = 0 is a flat disk, K = 8 the paper's bell with its zero at the rim.
@@ -19,6 +19,8 @@ pub enum ClippedPixel {
 /// Bells that make up a Gaussian on its base, beyond twice its rate: for the rate 4.5 the first left out
 /// has a weight below 4.5^48/48! < 2e-30.
 const BELLS: u32 = 48;
+/// Boxes after which a search settles for what it has.
+const MOST_BOXES: usize = 200_000;
 /// The narrowest Gaussian on its base that is worked out: its series has m²/4 + 48 terms.
 const NARROWEST: u32 = 64;
 
@@ -55,7 +57,6 @@ impl ClippedPixel {
         let (d, x) = (Interval::from(d), Interval::from(2.0 * d));
         let (share, marginal) = match self {
             ClippedPixel::Gaussian(m) => {
-                let m = Interval::int(i64::from(m));
                 let share = (one - (m * d / two.square_root()).erf()) / two;
                 let height = m / (two * Interval::PI).square_root();
                 (share, height * (-((m * d).power(2) / two)).exp())
@@ -138,23 +139,45 @@ impl Bells {
     }
 }
 
+/// sup over d in [0, ½] of |P(d) - share beyond d|, P = p₀ + p₁ d + p₂ d² + p₃ d³; `at` is d.
+///
+/// ```
+/// use bellfit::bound::{ClippedPixel, Interval, clip_distance};
+/// // 2 (½ - d)² against σ = 1/6
+/// let p = [0.5, -2.0, 2.0, 0.0].map(Interval::from);
+/// let found = clip_distance(p, ClippedPixel::Gaussian(Interval::from(6.0)), 1e-7);
+/// assert!(found.value.lo() > 6.50e-2 && found.value.hi() < 6.51e-2);
+/// ```
+pub fn clip_distance(p: [Interval; 4], pixel: ClippedPixel, tolerance: f64) -> Supremum<1> {
+    let p = p.map(Jet::constant);
+    let error = |d: Jet| p[0] + d * (p[1] + d * (p[2] + d * p[3])) - pixel.share_beyond(d);
+    let cell = |[d]: &[Interval; 1]| range(error, *d).abs();
+    supremum(cell, [Interval::new(0.0, 0.5)], tolerance, MOST_BOXES)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const ALL: [ClippedPixel; 7] = [
-        ClippedPixel::Gaussian(6),
-        ClippedPixel::GaussianOnBase(6),
-        ClippedPixel::Gaussian(5),
-        ClippedPixel::Gaussian(4),
-        ClippedPixel::Bell(0),
-        ClippedPixel::Bell(8),
-        ClippedPixel::Cone,
-    ];
+    fn whole(m: u32) -> ClippedPixel {
+        ClippedPixel::Gaussian(Interval::from(f64::from(m)))
+    }
+
+    fn all() -> [ClippedPixel; 7] {
+        [
+            whole(6),
+            ClippedPixel::GaussianOnBase(6),
+            whole(5),
+            whole(4),
+            ClippedPixel::Bell(0),
+            ClippedPixel::Bell(8),
+            ClippedPixel::Cone,
+        ]
+    }
 
     #[test]
     fn an_edge_through_the_centre_halves_and_one_at_the_rim_leaves_nothing() {
-        for pixel in ALL {
+        for pixel in all() {
             let at = |d: f64| pixel.share_beyond(Jet::variable(Interval::from(d))).value;
             assert!(at(0.0).contains(0.5) && at(0.0).width() < 1e-13, "{pixel:?}: {:?}", at(0.0));
             if !matches!(pixel, ClippedPixel::Gaussian(_)) {
@@ -169,7 +192,7 @@ mod tests {
         for m in [14, 40, NARROWEST, NARROWEST + 1] {
             for d in [0.0, 0.01, 0.1, 0.4, 0.5] {
                 let at = |pixel: ClippedPixel| pixel.share_beyond(Jet::variable(Interval::from(d)));
-                let (whole, base) = (at(ClippedPixel::Gaussian(m)), at(ClippedPixel::GaussianOnBase(m)));
+                let (whole, base) = (at(whole(m)), at(ClippedPixel::GaussianOnBase(m)));
                 // e^(-m²/8) of it lies beyond the base.
                 let lost = libm::exp(-f64::from(m * m) / 8.0);
                 let around = base.value - Interval::new(-lost, lost);
@@ -182,7 +205,7 @@ mod tests {
     /// By the mean value theorem a difference quotient is a slope at a point between.
     #[test]
     fn slopes_are_minus_the_marginal() {
-        for pixel in ALL {
+        for pixel in all() {
             for i in 0..25 {
                 let d = Interval::new(0.02 * f64::from(i), 0.02 * f64::from(i + 1));
                 let jet = pixel.share_beyond(Jet::variable(d));

@@ -24,9 +24,10 @@ mod quadrature;
 mod residual;
 mod scaled_bell;
 mod search;
+mod weight;
 
 pub use bell::{BellProof, cosine_bell, exponential_bell};
-pub use clipped::ClippedPixel;
+pub use clipped::{ClippedPixel, clip_distance};
 pub use curve::{Curve, curved_range};
 pub use difference::{
     DifferenceExtreme, cos_n_range, cut_effect, cut_numerator, cut_range, difference_infimum,
@@ -48,3 +49,4 @@ pub use quadrature::EnclosedRule;
 pub use residual::{Extreme, Extremes, Residual, normalises_exactly};
 pub use scaled_bell::{BestScale, best_scale, scaled_bell_excess};
 pub use search::{Supremum, infimum, supremum, supremum_near, supremum_until};
+pub use weight::{BellTerms, WeightRegion};

@@ -6,6 +6,7 @@
 //! [`ScaledIntegral`](crate::integral::ScaledIntegral), to both sides or never above 0 ([`fit_factor`]).
 
 pub mod bell;
+pub mod clip;
 
 mod certified;
 mod continuum;
@@ -25,6 +26,7 @@ mod ratio;
 mod reals;
 mod shortest;
 mod table;
+mod weight;
 
 pub use certified::{CertifiedFit, certified_least_squares, scaled_integrals};
 pub use factor::Factor;
@@ -38,3 +40,6 @@ pub use nonlinear::simplex_search;
 pub use problem::{FitError, Form, Objective, Problem};
 pub use reals::Reals;
 pub use table::{FitRow, fit_case, one_sided_lines};
+pub use weight::{
+    FIGURE_AXES, TexelWeight, WeightError, WeightRow, figure_weights, pixel_weights, weight_name, weight_rows,
+};

@@ -55,6 +55,11 @@ impl GaussLegendre {
         self.nodes.len()
     }
 
+    /// Nodes with their weights on [-1, 1].
+    pub fn pairs(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.nodes.iter().copied().zip(self.weights.iter().copied())
+    }
+
     /// ∫_a^b f.
     pub fn integrate(&self, f: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
         let (half, mid) = (0.5 * (b - a), 0.5 * (a + b));

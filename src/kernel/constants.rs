@@ -3,7 +3,7 @@
 //! The adopted constants: linear factors coef(n) = (a n + b)/(divisor π) of cs_16, a row a model in the
 //! order of [`Model::ALL`](super::model::Model::ALL), columns a, b, divisor, read through
 //! [`factor`](super::factor); and the bells of degree three with their factors, a row a K = 2, 4, 8, read
-//! through [`cubic`](super::cubic) and [`factor`](super::factor).
+//! through [`cubic`](super::cubic) and [`factor`](super::factor); and the polynomials of a pixel's clip volume.
 //!
 //! ```
 //! use bellfit::kernel::{constants::CS16_PRINTED, factor::cs_16_factor_printed, model::Model};
@@ -161,4 +161,18 @@ pub const CUBIC_FACTOR: [[[f64; 5]; 6]; 3] = [
         // K = 8, Blinn-Phong (heightfield): -8.3534e-6 (n → ∞) to -2.2990e-12 (n = 118.9401)
         [1.00015572102, 1.9931333141, 0.342359266896, -5.0599545956, 2.0],
     ],
+];
+
+/// Stand-ins for the volume of the Gaussian pixel, σ = 1/6, beyond a line at distance d in [0, ½]:
+/// p₀ + p₁ d + p₂ d² + p₃ d³ for ½ erfc(d/(σ√2)), read through
+/// [`ClipPolynomial`](super::pixel::ClipPolynomial).
+///
+/// Above each row a bound of the error, certified over [0, ½], and where it is reached to six digits.
+pub const CLIP_MINIMAX: [[f64; 4]; 3] = [
+    // quadratic: 1.3119e-2 (d = 0.5)
+    [0.486881863448, -2.365235744, 2.84081617255, 0.0],
+    // quadratic, P(0) = ½: 1.4772e-2 (d = 0.5)
+    [0.5, -2.45550971135, 2.97550499032, 0.0],
+    // cubic, P(0) = ½, falling to P(½) = 0: 9.0693e-3 (d = 0.2334)
+    [0.5, -2.7894530837256752, 5.157812334902701, -3.157812334902701],
 ];

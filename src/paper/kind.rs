@@ -203,7 +203,7 @@ pub enum Kind {
         powers: Vec<u32>,
     },
     /// A statement about pixels.
-    Pixel(PixelKind),
+    Pixel(Box<PixelKind>),
 }
 
 impl Kind {

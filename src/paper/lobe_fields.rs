@@ -188,7 +188,7 @@ impl Fields<'_> {
             }
             "bell-falls" => Kind::BellFalls { powers: self.powers()? },
             _ => match self.pixel_kind(kind)? {
-                Some(pixel) => Kind::Pixel(pixel),
+                Some(pixel) => Kind::Pixel(Box::new(pixel)),
                 None => {
                     let message = format!("unknown kind \"{kind}\"");
                     return Err((self.raw.kind.span().start, message));

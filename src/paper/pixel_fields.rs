@@ -3,8 +3,8 @@
 use super::fields::{Fields, Problem};
 use super::pixel_kind::{ClipFormula, PixelKind, WeightFormula};
 use super::pixel_words::{
-    AxesProperty, Base, BellFigure, ClipProperty, ConstantTerm, Denominator, Octant, PIXELS, Region,
-    RimShare, Shape, Sign, SignPair, Vectors, WeightFigure, WeightProperty,
+    AxesProperty, Base, BellFigure, ClipProperty, ConstantTerm, Denominator, Octant, Region, RimShare, Shape,
+    Sign, SignPair, Vectors, WeightFigure, WeightProperty, pixels,
 };
 use crate::bound::ClippedPixel;
 use crate::integral::Field;
@@ -139,9 +139,9 @@ impl Fields<'_> {
     }
 
     fn pixel(&mut self) -> Result<ClippedPixel, Problem> {
-        let all = PIXELS.map(|(_, pixel)| pixel);
-        let id = |pixel| PIXELS.iter().find(|(_, p)| *p == pixel).map_or("", |(id, _)| *id);
-        self.one_of("pixel", &all, id)
+        let known = pixels().map(|(id, _)| id).join(", ");
+        let read = |word: &str| pixels().into_iter().find(|(id, _)| *id == word).map(|(_, pixel)| pixel);
+        self.word("pixel", read, &known)
     }
 
     fn points(&mut self) -> Result<u32, Problem> {

@@ -1,6 +1,6 @@
 //! The words that readings of statements about pixels choose from.
 
-use crate::bound::ClippedPixel;
+use crate::bound::{ClippedPixel, Interval};
 
 /// Words of a claims file, each with its meaning.
 macro_rules! words {
@@ -206,12 +206,15 @@ words! {
 }
 
 /// The word of a pixel in claims files, and the pixel.
-pub(super) const PIXELS: [(&str, ClippedPixel); 7] = [
-    ("gaussian-6", ClippedPixel::Gaussian(6)),
-    ("gaussian-6-base", ClippedPixel::GaussianOnBase(6)),
-    ("gaussian-5", ClippedPixel::Gaussian(5)),
-    ("gaussian-4", ClippedPixel::Gaussian(4)),
-    ("disk", ClippedPixel::Bell(0)),
-    ("cone", ClippedPixel::Cone),
-    ("bell-8", ClippedPixel::Bell(8)),
-];
+pub(super) fn pixels() -> [(&'static str, ClippedPixel); 7] {
+    let whole = |m: f64| ClippedPixel::Gaussian(Interval::from(m));
+    [
+        ("gaussian-6", whole(6.0)),
+        ("gaussian-6-base", ClippedPixel::GaussianOnBase(6)),
+        ("gaussian-5", whole(5.0)),
+        ("gaussian-4", whole(4.0)),
+        ("disk", ClippedPixel::Bell(0)),
+        ("cone", ClippedPixel::Cone),
+        ("bell-8", ClippedPixel::Bell(8)),
+    ]
+}

@@ -3,7 +3,9 @@
 use super::figures::{self, Better, ResidualLine};
 use super::study::Study;
 use super::study::case;
-use super::{albedo_table, constants, factor_table, kernel_table, markdown, readme, table_one, tables};
+use super::{
+    albedo_table, constants, factor_table, kernel_table, markdown, pixel, readme, table_one, tables,
+};
 use crate::fit::Objective;
 use crate::integral::{Limit, Lobe};
 use crate::kernel::model::Model;
@@ -67,6 +69,10 @@ impl Artifacts {
         files.insert("fits/kernels-cosn.csv".to_owned(), kernel_table::cosine(&study.cosine)?);
         files.insert("fits/albedo.csv".to_owned(), albedo_table::albedo_csv(&study.albedos)?);
         files.insert("fits/albedo-suprema.csv".to_owned(), albedo_table::albedo_suprema_csv(&study.albedos)?);
+        files.insert("fits/clip.csv".to_owned(), pixel::clip_csv(&study.pixel)?);
+        files.insert("fits/footprint.csv".to_owned(), pixel::footprint_csv()?);
+        files.insert("fits/weights.csv".to_owned(), pixel::texels_csv(&study.pixel)?);
+        files.insert("fits/pixel-weights.csv".to_owned(), pixel::weights_csv(&study.pixel)?);
         files.insert("fits/table1.csv".to_owned(), table_one::csv(study)?);
         files.insert("reports/table1.md".to_owned(), table_one::markdown(study).into_bytes());
         files.insert("reports/table1.tex".to_owned(), table_one::latex(study).into_bytes());
@@ -79,10 +85,17 @@ impl Artifacts {
             cosine: &study.cosine,
             albedos: &study.albedo_curves,
         })?);
+        let of_pixels = figures::pixel(figures::Pixel {
+            clip: &study.pixel.clip,
+            weights: &study.pixel.weights,
+            texels: &study.pixel.texels,
+        });
+        let report = markdown::report(study, &figures, &of_pixels);
+        figures.extend(of_pixels);
         for (name, bytes) in figures::render(&figures)? {
             files.insert(format!("reports/plots/{name}"), bytes);
         }
-        files.insert("reports/report.md".to_owned(), markdown::report(study, &figures).into_bytes());
+        files.insert("reports/report.md".to_owned(), report.into_bytes());
         Ok(Artifacts { files })
     }
 

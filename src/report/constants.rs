@@ -1,6 +1,7 @@
 //! The source text of `src/kernel/constants.rs`: the one place where adopted constants live.
 
 use super::number::{short, short_up};
+use super::pixel::clip_constants;
 use super::study::{Study, case};
 use crate::bound::{Extremes, Residual};
 use crate::fit::{Line, Objective};
@@ -20,7 +21,7 @@ const HEAD: &str = "\
 //! The adopted constants: linear factors coef(n) = (a n + b)/(divisor π) of cs_16, a row a model in the
 //! order of [`Model::ALL`](super::model::Model::ALL), columns a, b, divisor, read through
 //! [`factor`](super::factor); and the bells of degree three with their factors, a row a K = 2, 4, 8, read
-//! through [`cubic`](super::cubic) and [`factor`](super::factor).
+//! through [`cubic`](super::cubic) and [`factor`](super::factor); and the polynomials of a pixel's clip volume.
 //!
 //! ```
 //! use bellfit::kernel::{constants::CS16_PRINTED, factor::cs_16_factor_printed, model::Model};
@@ -66,7 +67,8 @@ pub(super) fn source(study: &Study) -> Option<String> {
         &one_sided,
     )?;
     let bells = [exponential_bells(study)?, cosine_bells(study)?, cubic_factors(study)?].join("\n");
-    Some(format!("{HEAD}\n{printed}\n{minimax}\n{one_sided}\n{bells}"))
+    let clip = clip_constants(&study.pixel)?;
+    Some(format!("{HEAD}\n{printed}\n{minimax}\n{one_sided}\n{bells}\n{clip}"))
 }
 
 /// Debug keeps the point that a Rust float needs, and is the shortest that reads back.

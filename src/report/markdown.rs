@@ -4,6 +4,7 @@ use super::better;
 use super::energy;
 use super::figures::Figure;
 use super::number::{enclosure, short};
+use super::pixel;
 use super::readme::cell;
 use super::study::{NearestRow, Study, case};
 use super::summary::{Group, Summary, summaries, summaries_of};
@@ -16,8 +17,8 @@ use crate::paper::Kind;
 use crate::verdict::{Verdict, prove_minimum};
 use std::fmt::Write;
 
-/// The whole report.
-pub(super) fn report(study: &Study, figures: &[Figure]) -> String {
+/// The whole report; the pixel paper's figures stand in its section, the others together.
+pub(super) fn report(study: &Study, figures: &[Figure], of_pixels: &[Figure]) -> String {
     let mut text = String::from(
         "# The lobe and the pixel paper, verified\n\n\
          Written by `bellfit` (`cargo run --release`); every number here is computed, and stands with all its \
@@ -36,6 +37,7 @@ pub(super) fn report(study: &Study, figures: &[Figure]) -> String {
     suprema(study, &mut text);
     better::sections(study, &mut text);
     energy::sections(study, &mut text);
+    text.push_str(&pixel::section(&study.pixel, of_pixels));
     text.push_str("\n## Plots\n");
     for Figure { stem, alt, .. } in figures {
         let _ = write!(text, "\n![{alt}](plots/{stem}.png)\n\n*{alt}* ([SVG](plots/{stem}.svg))\n");

@@ -14,6 +14,7 @@ mod factor_table;
 mod kernel_table;
 mod markdown;
 mod number;
+mod pixel;
 mod readme;
 mod study;
 mod summary;
@@ -23,6 +24,7 @@ mod tables;
 mod terminal;
 
 pub use artifacts::{ArtifactError, Artifacts};
+pub use pixel::PixelStudy;
 pub use study::{NearestRow, PrintedFactor, Study, StudyError, SupremumRow};
 pub use tables::judgements_json;
 pub use terminal::{factor_json, factor_lines, fit_json, fit_lines, judgement_lines, verdict_lines};

@@ -1,6 +1,7 @@
 //! Everything the report is made of, computed once.
 
 use super::computed::{Better, Clock, Computed, RANGES, cubic_name};
+use super::pixel::PixelStudy;
 use crate::bound::{Extremes, IntegralTable, Interval};
 use crate::fit::bell::{CosineBell, ExponentialBell, Shape};
 use crate::fit::{FactorRow, FitError, FitRow, Line, Nearest, Objective};
@@ -101,6 +102,8 @@ pub struct Study {
     pub albedos: Vec<AlbedoCurve>,
     /// The same at the figures' angles and exponents.
     pub albedo_curves: Vec<AlbedoCurve>,
+    /// The pixel paper's studies.
+    pub pixel: PixelStudy,
     /// The claims.
     pub claims: ClaimsFile,
     /// Their verdicts.
@@ -119,11 +122,12 @@ impl Study {
         let claims = ClaimsFile::papers()?;
         let expectations = Expectations::papers()?;
         let clock = Clock::new(stage);
-        let (judged, computed, better) = std::thread::scope(|scope| {
+        let (judged, computed, better, pixel) = std::thread::scope(|scope| {
             let judge = scope.spawn(|| clock.time("verdicts", || Judge::default().judge(&claims)));
             let better = scope.spawn(|| Better::run(clock));
             let computed = Computed::run(&claims, clock);
-            (judge.join(), computed, better.join())
+            let pixel = PixelStudy::run(clock);
+            (judge.join(), computed, better.join(), pixel)
         });
         let judgements = judged.map_err(|_| StudyError::Worker)??;
         let Computed { integrals, fits, printed, nearest, suprema, factors } = computed?;
@@ -141,6 +145,7 @@ impl Study {
             cubic_factors,
             albedos,
             albedo_curves,
+            pixel,
             claims,
             judgements,
             expectations,

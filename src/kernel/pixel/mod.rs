@@ -18,27 +18,31 @@
 //! | α, tilt, (5) | [`Axes::tilt`]; as printed [`TiltFormula`] |
 //! | f, (8) and (9) | [`PixelWeight`] |
 //! | a rim texel's share: the area the ellipse cuts off | [`coverage`], [`half_plane`] |
-//! | P(d), the volume beyond a line | [`clip_volume_paper`]; what it stands for [`clip_volume`], [`clip_volume_cut`] |
+//! | P(d), the volume beyond a line | [`clip_volume_paper`]; what it stands for [`clip_volume`], [`clip_volume_cut`]; refitted [`ClipPolynomial`] |
 //!
 //! **Radius or diameter.** With derivatives per pixel, Q = 1 is the image of the circle of radius 1 pixel.
 //! The paper says base diameter 1, which is half of that: [`Jacobian::scaled`] by ½.
 
 mod axes;
 mod clip;
+mod clip_polynomial;
 mod conic;
 mod coverage;
 mod footprint;
 mod inverse;
 mod jacobian;
 mod polygon;
+mod skew;
 mod weight;
 
 pub use axes::{Axes, Frame, TiltFormula};
 pub use clip::{CLIP_PRINTED, RADIUS, SIGMA, clip_volume, clip_volume_cut, clip_volume_paper};
+pub use clip_polynomial::ClipPolynomial;
 pub use conic::Conic;
 pub use coverage::{Tangent, coverage, half_plane};
 pub use footprint::{Footprint, Padding, Row};
 pub use inverse::Inverse;
 pub use jacobian::Jacobian;
 pub use polygon::Polygon;
+pub use skew::Skew;
 pub use weight::{PaperReading, PixelWeight};

@@ -1,10 +1,12 @@
 use super::ChartError;
 use super::axis::{Axis, Scale};
+use super::clip::inside;
 use super::colour::{FRAME, GREY, INK, MISSING, Rgb, WHITE, diverging, rising};
 use super::frame::{Frame, Plot};
 use super::header::{FULL, Sizes, header};
 use super::legend::{Colours, Key, Legend};
 use super::line::curve;
+use super::mark::Mark;
 use super::scene::{Anchor, EDGE, LEADING, Raster, Rect, Scene, WIDTH};
 use super::series::{Series, Style};
 use super::ticks::{Room, Tick, ticks};
@@ -35,6 +37,8 @@ pub struct HeatMap {
     pub diverging: bool,
     /// Curves on top, such as a cut.
     pub curves: Vec<Series>,
+    /// Texts about their places, without dots.
+    pub labels: Vec<Mark>,
 }
 
 const PLOT: f64 = 860.0;
@@ -80,6 +84,9 @@ impl HeatMap {
             }
             curve(&mut scene, series, &frame, colour, &FULL);
         }
+        for label in &self.labels {
+            self.label(&mut scene, &frame, label);
+        }
         if self.values.iter().any(|v| v.is_nan()) {
             legend.add("no value", Key::Patch(MISSING, 1.0, FRAME));
         }
@@ -106,6 +113,21 @@ impl HeatMap {
         let rows = self.values.chunks(self.columns).rev();
         let cells = rows.flatten().map(|&v| self.colour(v)).collect();
         scene.rasters.push(Raster { rect: frame.rect, columns: self.columns, rows: self.rows, cells });
+    }
+
+    /// A text in white on dark cells, and dark on others; the cell's colour covers a curve behind it.
+    fn label(&self, scene: &mut Scene, frame: &Frame, label: &Mark) {
+        let Some((u, v)) = frame.place(label.at).filter(|&at| inside(at)) else { return };
+        let cell = |part: f64, count: usize| ((part * count as f64) as usize).min(count - 1);
+        let value = self.values[cell(v, self.rows) * self.columns + cell(u, self.columns)];
+        let Rgb(red, green, blue) = self.colour(value);
+        let light = 3 * u32::from(red) + 6 * u32::from(green) + u32::from(blue);
+        let (x, y) = frame.pixel((u, v));
+        let colour = if light < 1200 { WHITE } else { INK };
+        let (across, up) = (0.53 * scene.font.width(&label.text, FULL.tick), 0.5 * FULL.tick);
+        let behind = Rect { left: x - across, top: y - up, right: x + across, bottom: y + up };
+        scene.fill(behind, self.colour(value), 1.0);
+        scene.text((x, y + 0.36 * FULL.tick), &label.text, FULL.tick, colour, Anchor::Middle);
     }
 
     fn bar_ticks(&self, scene: &Scene, bar: &Axis, length: f64) -> Result<Vec<Tick>, ChartError> {

@@ -33,6 +33,7 @@ mod legend;
 mod line;
 mod mark;
 mod number;
+mod palette;
 mod panels;
 mod png;
 mod scene;

@@ -4,6 +4,7 @@ use super::ChartError;
 use super::clip::distance;
 use super::colour::Rgb;
 use super::font::style;
+use super::palette::{Indexed, indexed};
 use super::scene::{Anchor, Point, Raster, Scene, Shape, Text, WIDTH};
 use plotters::backend::{BitMapBackend, DrawingBackend};
 use plotters::style::text_anchor::HPos;
@@ -34,17 +35,36 @@ pub(super) fn render(scene: &Scene) -> Result<Vec<u8>, ChartError> {
             }
         }
     }
-    encode(&shrink(&pixels, width, height), width, height)
+    // A ramp needs all that a palette holds, curves and texts look the same in 64 colours.
+    let last = if scene.rasters.is_empty() { 63 } else { 255 };
+    let Indexed { palette, pixels } = indexed(&shrink(&pixels, width, height), last);
+    write(&pixels, width, height, |encoder| {
+        encoder.set_color(png::ColorType::Indexed);
+        encoder.set_palette(palette);
+        encoder.set_compression(png::Compression::High);
+        // After the compression, which brings a filter of its own. Places in a palette do not rise and fall
+        // like colours: differences between them say nothing.
+        encoder.set_filter(png::Filter::NoFilter);
+    })
 }
 
-/// 8-bit RGB pixels as a PNG file.
+/// 8-bit RGB pixels as a PNG file, every colour as it is.
 pub(super) fn encode(pixels: &[u8], width: usize, height: usize) -> Result<Vec<u8>, ChartError> {
+    write(pixels, width, height, |encoder| encoder.set_color(png::ColorType::Rgb))
+}
+
+fn write(
+    pixels: &[u8],
+    width: usize,
+    height: usize,
+    format: impl FnOnce(&mut png::Encoder<'_, &mut Vec<u8>>),
+) -> Result<Vec<u8>, ChartError> {
     let fail = |e: png::EncodingError| ChartError::Encode(e.to_string());
     let side = |n: usize| u32::try_from(n).map_err(|e| ChartError::Encode(e.to_string()));
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, side(width)?, side(height)?);
-    encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
+    format(&mut encoder);
     let mut writer = encoder.write_header().map_err(fail)?;
     writer.write_image_data(pixels).map_err(fail)?;
     writer.finish().map_err(fail)?;

@@ -146,6 +146,7 @@ pub(super) fn map(highest: &DifferenceExtreme) -> Result<Figure, FigureError> {
         values,
         diverging: true,
         curves: CUTS.map(|cut| cut.series(cut.label, over_n(|n| AXIS * (cut.angle)(n)))).into(),
+        labels: vec![],
     });
     let alt = format!(
         "Over n and θ the difference cosⁿθ − cs_16 is nowhere negative, and largest, {}, at n = 1024 near \

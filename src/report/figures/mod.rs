@@ -25,12 +25,14 @@ mod gaussian;
 mod integral;
 mod kernel;
 mod lobe;
+mod pixel;
 mod render;
 mod residual;
 mod sample;
 
 pub use albedo::albedo_degrees;
 pub use error::FigureError;
+pub use pixel::{Pixel, pixel};
 pub use render::render;
 
 use super::chart::Chart;
@@ -118,7 +120,8 @@ pub fn better(drawn: Better) -> Result<Vec<Figure>, FigureError> {
 mod tests {
     use super::*;
     use crate::fit::bell::{cosine_bells, exponential_bells};
-    use crate::fit::factor_rows;
+    use crate::fit::clip::clip_rows;
+    use crate::fit::{factor_rows, figure_weights, weight_rows};
     use crate::integral::albedo::{AlbedoSubject, albedo_curves};
     use crate::integral::{Limit, Lobe};
     use crate::kernel::model::Model;
@@ -152,12 +155,18 @@ mod tests {
         better(drawn).unwrap()
     }
 
+    fn pixel_figures() -> Vec<Figure> {
+        let (clip, weights, texels) = (clip_rows(), weight_rows(), figure_weights());
+        pixel(Pixel { clip: &clip, weights: &weights, texels: &texels })
+    }
+
     #[test]
     fn every_figure_has_its_own_name_and_words_and_renders() {
         let mut drawn = figures(&lines()).unwrap();
         drawn.extend(better_figures());
+        drawn.extend(pixel_figures());
         let stems: BTreeSet<_> = drawn.iter().map(|f| f.stem).collect();
-        assert_eq!((drawn.len(), stems.len()), (16, 16));
+        assert_eq!((drawn.len(), stems.len()), (22, 22));
         for figure in &drawn {
             assert!(figure.alt.ends_with('.') && figure.alt.len() > 40, "{}", figure.stem);
         }

@@ -2,15 +2,13 @@
 
 use super::super::judgement::{Finding, Verdict, compare};
 use super::{ratio, text};
-use crate::bound::{ClippedPixel, Interval, Jet, enclose, range, supremum};
+use crate::bound::{ClippedPixel, Interval, Jet, clip_distance, enclose};
 use crate::integral::Field;
 use crate::paper::{ClipFormula, ClipProperty, ConstantTerm, Printed, Relation, Sign};
 use dashu_ratio::RBig;
 
 /// Suprema are enclosed to this, four digits of those found.
 const TOLERANCE: f64 = 1e-7;
-/// More than any of them takes.
-const MOST_BOXES: usize = 1 << 18;
 
 impl ClipFormula {
     /// P(d) = p₀ + p₁ d + p₂ d².
@@ -68,11 +66,11 @@ pub(super) fn has(formula: &ClipFormula, property: ClipProperty) -> Finding {
 
 /// sup over d in [0, ½] of |P(d) - V(d)|.
 pub(super) fn distance(formula: &ClipFormula, pixel: ClippedPixel) -> Finding {
-    let p = formula.coefficients().map(|c| Jet::constant(enclose(&c)));
-    let difference = |d: Jet| p[0] + d * (p[1] + d * p[2]) - pixel.share_beyond(d);
-    let cell = |[d]: &[Interval; 1]| range(difference, *d).abs();
-    let found = supremum(cell, [Interval::new(0.0, 0.5)], TOLERANCE, MOST_BOXES);
-    let at = difference(Jet::constant(Interval::from(found.at[0]))).value;
+    let [a, b, c] = formula.coefficients().map(|c| enclose(&c));
+    let p = [a, b, c, Interval::from(0.0)];
+    let found = clip_distance(p, pixel, TOLERANCE);
+    let d = Interval::from(found.at[0]);
+    let at = p[0] + d * (p[1] + d * p[2]) - pixel.share_beyond(Jet::constant(d)).value;
     let side = if at.lo() > 0.0 { "above" } else { "below" };
     Finding::figure(found.value, format!("P(d) is {side} the volume at d = {:.4}", found.at[0]))
 }

@@ -1,0 +1,106 @@
+//! How far a pixel's weight is from the Gaussian of σ = 1/3 of the ellipse's semi-axis, over the plane.
+
+use super::{Gradient, Interval, Jet, Supremum, range, supremum};
+use crate::integral::Field;
+
+/// Boxes after which a search settles for what it has.
+const MOST_BOXES: usize = 400_000;
+
+/// The Q behind which the search stops: there every weight of these is 0, and the Gaussian below e⁻⁷².
+const FAR: f64 = 16.0;
+
+/// Part of the texture plane: Q from 0 to 1 (the ellipse), at 1 (its rim), or all of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WeightRegion {
+    /// Q ≤ 1.
+    Ellipse,
+    /// Q = 1.
+    Rim,
+    /// Every Q ≥ 0.
+    Plane,
+}
+
+impl WeightRegion {
+    const fn ends(self) -> (f64, f64) {
+        match self {
+            WeightRegion::Ellipse => (0.0, 1.0),
+            WeightRegion::Rim => (1.0, 1.0),
+            WeightRegion::Plane => (0.0, FAR),
+        }
+    }
+
+    /// A supremum over the searched part as one over the region.
+    fn with_tail<const D: usize>(self, found: Supremum<D>) -> Supremum<D> {
+        let tail = if self == WeightRegion::Plane { gaussian(Interval::from(FAR)).hi() } else { 0.0 };
+        Supremum { value: Interval::new(found.value.lo(), found.value.hi().max(tail)), ..found }
+    }
+}
+
+/// e^(-9Q/2).
+fn gaussian(q: Interval) -> Interval {
+    (-(Interval::from(4.5) * q)).exp()
+}
+
+/// max(p, 0)^K, p = 1 - c₁ z + c₂ z² - c₃ z³ with z = 9Q/(2K): a weight by its polynomial.
+///
+/// p is to stay at or below 0 behind its first zero, and that zero to lie before Q = 8.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BellTerms {
+    /// K.
+    pub power: u32,
+    /// c₁, c₂, c₃.
+    pub terms: [Interval; 3],
+}
+
+impl BellTerms {
+    fn base<T: Field>(&self, q: T, constant: impl Fn(Interval) -> T) -> T {
+        let [c1, c2, c3] = self.terms.map(&constant);
+        let z = constant(Interval::from(4.5) / Interval::int(i64::from(self.power))) * q;
+        T::int(1) - z.clone() * (c1 - z.clone() * (c2 - z * c3))
+    }
+
+    /// sup over the region of |e^(-9Q/2) - bell(Q)|; `at` is Q.
+    ///
+    /// ```
+    /// use bellfit::bound::{BellTerms, Interval, WeightRegion};
+    /// // Lyon's bell, K = 8: on the rim e^-4.5 - (7/16)^8
+    /// let [one, zero] = [1.0, 0.0].map(Interval::from);
+    /// let bell = BellTerms { power: 8, terms: [one, zero, zero] };
+    /// let rim = bell.distance(WeightRegion::Rim, 1e-9).value;
+    /// assert!((rim.mid() - (libm::exp(-4.5) - libm::pow(7.0 / 16.0, 8.0))).abs() < 1e-15);
+    /// ```
+    pub fn distance(&self, region: WeightRegion, tolerance: f64) -> Supremum<1> {
+        let (lo, hi) = region.ends();
+        let error = |q: Jet| {
+            let base = self.base(q, Jet::constant);
+            let below = base.value.lo() < 0.0;
+            let slope = if below { base.slope.hull(Interval::from(0.0)) } else { base.slope };
+            let bell = Jet { value: base.value.max(Interval::from(0.0)), slope }.power(self.power);
+            (Jet::int(0) - q * Jet::constant(Interval::from(4.5))).exp() - bell
+        };
+        let found = supremum(|[q]| range(error, *q).abs(), [Interval::new(lo, hi)], tolerance, MOST_BOXES);
+        region.with_tail(found)
+    }
+
+    /// sup over the region of |e^(-9Q/2) - bell(a²) bell(b²)|, Q = a² + b²; `at` is (Q, a²/Q).
+    pub fn product_distance(&self, region: WeightRegion, tolerance: f64) -> Supremum<2> {
+        let (lo, hi) = region.ends();
+        let bell = |q: Gradient| {
+            let base = self.base(q, Gradient::constant);
+            let below = base.value.lo() < 0.0;
+            let zero = Interval::from(0.0);
+            let slopes = base.slopes.map(|s| if below { s.hull(zero) } else { s });
+            Gradient { value: base.value.max(zero), slopes }.power(self.power)
+        };
+        let error = |[q, share]: [Gradient; 2]| {
+            let rest = Gradient::int(1) - share;
+            // cosⁿ at 1/n = 0 is e^-t.
+            let t = q * Gradient::constant(Interval::from(4.5));
+            Gradient::cos_n(t, Gradient::int(0)) - bell(q * share) * bell(q * rest)
+        };
+        // By symmetry the larger of the two may be b².
+        let domain = [Interval::new(lo, hi), Interval::new(0.0, 0.5)];
+        let found = supremum(|cell| Gradient::range(error, *cell).abs(), domain, tolerance, MOST_BOXES);
+        region.with_tail(found)
+    }
+}
