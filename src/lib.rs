@@ -23,6 +23,8 @@ pub mod bound;
 #[cfg(feature = "toolkit")]
 pub mod cli;
 #[cfg(feature = "toolkit")]
+pub mod filter;
+#[cfg(feature = "toolkit")]
 pub mod fit;
 #[cfg(feature = "toolkit")]
 pub mod integral;
@@ -31,6 +33,8 @@ pub mod kernel;
 pub mod paper;
 #[cfg(feature = "toolkit")]
 pub mod report;
+#[cfg(feature = "toolkit")]
+pub mod slice;
 #[cfg(feature = "toolkit")]
 pub mod verdict;
 

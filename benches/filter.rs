@@ -1,0 +1,198 @@
+//! What one elliptical lookup costs, against the published shape of the job.
+//!
+//! `cargo bench --bench filter`. The published shape is Heckbert's and pbrt's: a scalar loop over the
+//! bounding box of the padded conic, finite differences of Q along u, a test Q < 1, a table of 128 weights
+//! looked up at ⌊128 Q⌋; here in its best form, compiled for its number of channels, with texels side by
+//! side, no wrapping and the table's entries in the middle of their intervals. Ours is the public sampler with
+//! its default filter, run-time dispatch and wrap modes included.
+//!
+//! Both read the same ellipses of the same texture, minor semi-axis 2 to 4 texels before padding (what the
+//! choice of level leaves at cover 2), at tilts of 0, 20, 45, 70, 90 and 135 degrees and random places,
+//! wholly inside the texture. The two take turns run by run, and the median run counts. Errors are
+//! against the exact mean under exp(-9Q/2) over Q ≤ 1, in double precision, for a texture of independent
+//! values in [0, 1]; they are the same on every machine, the times are not.
+
+#[path = "../tests/support/draw.rs"]
+mod draw;
+
+use bellfit::filter::{EllipseFilter, Level, Method, Pyramid, Reduction, Sampler, Texture, Wrap};
+use bellfit::kernel::pixel::{Jacobian, PixelWeight};
+use bellfit::slice::Unit;
+use draw::Draw;
+use std::hint::black_box;
+use std::time::Instant;
+
+const RUNS: usize = 15;
+const SIZE: usize = 256;
+/// So many that no branch predictor learns them.
+const LOOKUPS: usize = 4096;
+/// Of them, those whose error is looked at.
+const CHECKED: usize = 240;
+const TILTS: [f64; 6] = [0.0, 20.0, 45.0, 70.0, 90.0, 135.0];
+
+struct Pixel {
+    s: f32,
+    t: f32,
+    j: Jacobian<f32>,
+}
+
+fn median(mut times: Vec<f64>) -> f64 {
+    times.sort_by(f64::total_cmp);
+    times[times.len() / 2]
+}
+
+/// The textbook's loop over one level; texels of C channels side by side, row by row.
+fn published<const C: usize>(
+    texels: &[[f32; C]],
+    width: usize,
+    table: &[f32; 128],
+    pixel: &Pixel,
+) -> [f32; C] {
+    let Jacobian { ux, vx, uy, vy } = pixel.j;
+    let (mut a, mut b, mut c) =
+        (vx * vx + vy * vy + 1.0, -2.0 * (ux * vx + uy * vy), ux * ux + uy * uy + 1.0);
+    let f = a * c - 0.25 * b * b;
+    let (reach_u, reach_v) = (c.sqrt(), a.sqrt());
+    (a, b, c) = (a / f, b / f, c / f);
+    let (s, t) = (pixel.s - 0.5, pixel.t - 0.5);
+    // Positive: a cast that rounds up or down.
+    let (u0, u1) = ((s - reach_u) as usize + 1, (s + reach_u) as usize);
+    let (v0, v1) = ((t - reach_v) as usize + 1, (t + reach_v) as usize);
+    let (mut sum, mut value) = (0.0, [0.0; C]);
+    let u = u0 as f32 - s;
+    let second = 2.0 * a;
+    for y in v0..=v1 {
+        let v = y as f32 - t;
+        let mut first = a * (2.0 * u + 1.0) + b * v;
+        let mut q = (c * v + b * u) * v + a * u * u;
+        for texel in &texels[y * width + u0..=y * width + u1] {
+            if q < 1.0 {
+                let w = table[((q * 128.0) as usize).min(127)];
+                sum += w;
+                for k in 0..C {
+                    value[k] += w * texel[k];
+                }
+            }
+            q += first;
+            first += second;
+        }
+    }
+    value.map(|x| x / sum)
+}
+
+/// The exact mean of the first channel.
+fn exact(texture: &Texture, pixel: &Pixel) -> f64 {
+    let j = [pixel.j.ux, pixel.j.vx, pixel.j.uy, pixel.j.vy].map(f64::from);
+    let (uu, vv, uv) =
+        (j[0] * j[0] + j[2] * j[2] + 1.0, j[1] * j[1] + j[3] * j[3] + 1.0, j[0] * j[1] + j[2] * j[3]);
+    let det = uu * vv - uv * uv;
+    let (mut sum, mut value) = (0.0, 0.0);
+    for y in 0..SIZE {
+        for x in 0..SIZE {
+            let (u, v) = (x as f64 + 0.5 - f64::from(pixel.s), y as f64 + 0.5 - f64::from(pixel.t));
+            let q = (vv * u * u - 2.0 * uv * u * v + uu * v * v) / det;
+            if q <= 1.0 {
+                let w = libm::exp(-4.5 * q);
+                sum += w;
+                value += w * f64::from(texture.plane(0)[y * SIZE + x]);
+            }
+        }
+    }
+    value / sum
+}
+
+fn footprints(draw: &mut Draw, aspect: f64) -> Vec<Pixel> {
+    (0..LOOKUPS)
+        .map(|i| {
+            let minor = 2.0 * libm::exp2(draw.real(0.0, 1.0));
+            let (sin, cos) = libm::sincos(TILTS[i % TILTS.len()].to_radians());
+            let major = minor * aspect;
+            let j = Jacobian {
+                ux: (major * cos) as f32,
+                vx: (major * sin) as f32,
+                uy: (-minor * sin) as f32,
+                vy: (minor * cos) as f32,
+            };
+            let mut place = || draw.real(70.0, SIZE as f64 - 70.0) as f32;
+            Pixel { s: place(), t: place(), j }
+        })
+        .collect()
+}
+
+struct Case<'a> {
+    name: &'static str,
+    lookup: Box<dyn Fn(&Pixel) -> f32 + 'a>,
+}
+
+fn cases<'a, const C: usize>(
+    pyramid: &'a Pyramid,
+    texels: &'a [[f32; C]],
+    table: &'a [f32; 128],
+) -> Vec<Case<'a>> {
+    let ours = |weight, unit: Unit| {
+        let filter = EllipseFilter { weight, ..EllipseFilter::default() };
+        let sampler = Sampler::new(pyramid, Wrap::Repeat, Method::Ellipse(filter)).expect("a valid filter");
+        sampler.on(unit)
+    };
+    let fixed = |name, weight, unit| -> Case<'a> {
+        let sampler = ours(weight, unit);
+        Case { name, lookup: Box::new(move |p| sampler.lookup_at(p.s, p.t, p.j, Level::Fixed(0)).value[0]) }
+    };
+    let third = 1.0 / 3.0;
+    vec![
+        Case { name: "published", lookup: Box::new(|p| published(texels, SIZE, table, p)[0]) },
+        fixed("cubic K=4", PixelWeight::Cubic(4, third), Unit::best()),
+        fixed("cubic K=8", PixelWeight::Cubic(8, third), Unit::best()),
+        fixed("Gaussian", PixelWeight::Gaussian(third), Unit::best()),
+        fixed("cubic K=4, plain", PixelWeight::Cubic(4, third), Unit::plain()),
+    ]
+}
+
+fn table<const C: usize>() {
+    let mut draw = Draw(7);
+    let values: Vec<f32> = (0..SIZE * SIZE * C).map(|_| draw.real(0.0, 1.0) as f32).collect();
+    let texture = Texture::new(SIZE, SIZE, C, &values).expect("as many values as texels");
+    let pyramid = Pyramid::new(texture, Reduction::Box, Wrap::Repeat);
+    let texels: Vec<[f32; C]> = values.chunks_exact(C).map(|t| std::array::from_fn(|k| t[k])).collect();
+    let weights: [f32; 128] = std::array::from_fn(|i| libm::exp(-4.5 * (i as f64 + 0.5) / 128.0) as f32);
+    for aspect in [1.0, 2.0, 4.0, 8.0, 16.0] {
+        let pixels = footprints(&mut draw, aspect);
+        let cases = cases(&pyramid, &texels, &weights);
+        let mut times = vec![vec![]; cases.len()];
+        let repeats = (32.0 / aspect) as usize;
+        for run in 0..=RUNS {
+            for (case, times) in cases.iter().zip(&mut times) {
+                let start = Instant::now();
+                for _ in 0..repeats {
+                    for pixel in &pixels {
+                        black_box((case.lookup)(black_box(pixel)));
+                    }
+                }
+                if run > 0 {
+                    // The first run warms up.
+                    times.push(start.elapsed().as_nanos() as f64 / (repeats * pixels.len()) as f64);
+                }
+            }
+        }
+        let truth: Vec<f64> = pixels[..CHECKED].iter().map(|pixel| exact(pyramid.level(0), pixel)).collect();
+        let medians: Vec<f64> = times.into_iter().map(median).collect();
+        for (case, ns) in cases.iter().zip(&medians) {
+            let errors = pixels.iter().zip(&truth).map(|(p, t)| (f64::from((case.lookup)(p)) - t).abs());
+            let largest = errors.fold(0.0, f64::max);
+            println!("{C:8} {aspect:6} {:18} {ns:9.1} {:7.2} {largest:10.1e}", case.name, medians[0] / ns);
+        }
+    }
+}
+
+fn main() {
+    let cpu = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let model = cpu.lines().find_map(|line| line.strip_prefix("model name")).unwrap_or("unknown");
+    println!("processor {}, unit {}", model.trim_matches([' ', '\t', ':']), Unit::best().id());
+    println!(
+        "ns a lookup, median of {RUNS} interleaved runs; times the published shape's speed; largest error\n"
+    );
+    println!("{:>8} {:>6} {:18} {:>9} {:>7} {:>10}", "channels", "aspect", "route", "ns", "speed", "error");
+    table::<1>();
+    table::<3>();
+    table::<4>();
+}
