@@ -34,6 +34,8 @@ pub mod paper;
 #[cfg(feature = "toolkit")]
 pub mod report;
 #[cfg(feature = "toolkit")]
+pub mod scene;
+#[cfg(feature = "toolkit")]
 pub mod slice;
 #[cfg(feature = "toolkit")]
 pub mod verdict;

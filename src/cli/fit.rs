@@ -1,6 +1,6 @@
 //! `bellfit fit`.
 
-use super::{Outcome, print};
+use super::{Outcome, known, print};
 use crate::fit::{DIGITS, FactorForm, Form, Objective, Problem, Reals, fit_case, fit_factor};
 use crate::integral::{Case, Limit, Lobe};
 use crate::kernel::model::Model;
@@ -103,11 +103,6 @@ fn integers(n: &str) -> Result<(u32, u32)> {
         }
         Err(error) => bail!(error),
     }
-}
-
-/// The word, or the words there are.
-fn known<T>(found: Option<T>, known: impl IntoIterator<Item = &'static str>) -> Result<T, String> {
-    found.ok_or_else(|| format!("known are {}", known.into_iter().collect::<Vec<_>>().join(", ")))
 }
 
 fn model(word: &str) -> Result<Model, String> {

@@ -1,7 +1,9 @@
 //! The command line: one file a subcommand, no numerics.
 
 mod fit;
+mod render;
 mod reproduce;
+mod sample;
 mod verify;
 
 use anyhow::Result;
@@ -30,6 +32,9 @@ pub enum Outcome {
   bellfit --check                    compare them with what would be generated, write nothing
   bellfit verify my-claims.toml      judge your own claims
   bellfit fit --model blinn-phong    the best linear factor for a model
+  bellfit sample texture.png --at 10,20 --jacobian 3,1,-1,2
+                                     one texture lookup under a pixel
+  bellfit render --image texture.png every texture filter on a plane, and its error
 
 Exit code: 0 as expected, 1 a verdict, bound or file differs, 2 bad input or usage."
 )]
@@ -45,6 +50,8 @@ enum Command {
     Reproduce(reproduce::Arguments),
     Verify(verify::Arguments),
     Fit(fit::Arguments),
+    Sample(sample::Arguments),
+    Render(render::Arguments),
 }
 
 impl Cli {
@@ -59,6 +66,8 @@ impl Cli {
             Some(Command::Reproduce(arguments)) => reproduce::run(&arguments),
             Some(Command::Verify(arguments)) => verify::run(&arguments),
             Some(Command::Fit(arguments)) => fit::run(&arguments),
+            Some(Command::Sample(arguments)) => sample::run(&arguments),
+            Some(Command::Render(arguments)) => render::run(&arguments),
         }
     }
 }
@@ -72,4 +81,9 @@ fn print(text: &str) -> Result<()> {
         }
         _ => Ok(()),
     }
+}
+
+/// The word, or the words there are.
+fn known<'a, T>(found: Option<T>, known: impl IntoIterator<Item = &'a str>) -> Result<T, String> {
+    found.ok_or_else(|| format!("known are {}", known.into_iter().collect::<Vec<_>>().join(", ")))
 }

@@ -4,11 +4,13 @@ use super::figures::{self, Better, ResidualLine};
 use super::study::Study;
 use super::study::case;
 use super::{
-    albedo_table, constants, factor_table, kernel_table, markdown, pixel, readme, table_one, tables,
+    albedo_table, constants, factor_table, filter_images, filter_table, kernel_table, markdown, pixel,
+    readme, table_one, tables,
 };
 use crate::fit::Objective;
 use crate::integral::{Limit, Lobe};
 use crate::kernel::model::Model;
+use crate::scene::ImageError;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
@@ -22,6 +24,9 @@ pub enum ArtifactError {
     /// A plot could not be drawn.
     #[error("plot: {0}")]
     Plot(#[from] figures::FigureError),
+    /// A picture could not be made.
+    #[error("picture: {0}")]
+    Picture(#[from] ImageError),
     /// A file could not be read or written.
     #[error("{path}: {reason}")]
     File {
@@ -74,6 +79,10 @@ impl Artifacts {
         files.insert("fits/weights.csv".to_owned(), pixel::texels_csv(&study.pixel)?);
         files.insert("fits/pixel-weights.csv".to_owned(), pixel::weights_csv(&study.pixel)?);
         files.insert("fits/table1.csv".to_owned(), table_one::csv(study)?);
+        files.insert("fits/filter.csv".to_owned(), filter_table::filter_csv(&study.filters)?);
+        for (name, bytes) in filter_images::sheets(&study.filters)? {
+            files.insert(format!("reports/images/{name}"), bytes);
+        }
         files.insert("reports/table1.md".to_owned(), table_one::markdown(study).into_bytes());
         files.insert("reports/table1.tex".to_owned(), table_one::latex(study).into_bytes());
         files.insert("reports/verdicts.csv".to_owned(), tables::verdicts_csv(study)?);

@@ -14,6 +14,7 @@ use crate::integral::albedo::{AlbedoCurve, AlbedoSubject, albedo_curves};
 use crate::integral::{Case, Limit, Lobe};
 use crate::kernel::model::Model;
 use crate::paper::{ClaimsFile, Kind};
+use crate::scene::{BUILT_IN, Comparison, Scene, SceneError, Technique};
 use std::time::{Duration, Instant};
 
 /// The papers' range of the specular exponent.
@@ -107,6 +108,15 @@ impl Better {
         })?;
         Ok(Better { exponential, cosine, cubic_factors, albedos, albedo_curves })
     }
+}
+
+/// Threads of the pictures; their number changes no byte.
+const THREADS: usize = 2;
+
+/// Every texture filter on the built-in scenes.
+pub(super) fn filter_comparisons() -> Result<Vec<Comparison>, SceneError> {
+    let scenes = BUILT_IN.iter().filter_map(|name| Scene::built_in(name));
+    scenes.map(|scene| Comparison::run(&scene, &Technique::all(), THREADS, &|_| ())).collect()
 }
 
 /// The name of a cubic lobe in files.

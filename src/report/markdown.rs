@@ -3,6 +3,7 @@
 use super::better;
 use super::energy;
 use super::figures::Figure;
+use super::filter_section;
 use super::number::{enclosure, short};
 use super::pixel;
 use super::readme::cell;
@@ -38,6 +39,7 @@ pub(super) fn report(study: &Study, figures: &[Figure], of_pixels: &[Figure]) ->
     better::sections(study, &mut text);
     energy::sections(study, &mut text);
     text.push_str(&pixel::section(&study.pixel, of_pixels));
+    filter_section::section(&study.filters, &mut text);
     text.push_str("\n## Plots\n");
     for Figure { stem, alt, .. } in figures {
         let _ = write!(text, "\n![{alt}](plots/{stem}.png)\n\n*{alt}* ([SVG](plots/{stem}.svg))\n");

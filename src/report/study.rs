@@ -1,6 +1,6 @@
 //! Everything the report is made of, computed once.
 
-use super::computed::{Better, Clock, Computed, RANGES, cubic_name};
+use super::computed::{Better, Clock, Computed, RANGES, cubic_name, filter_comparisons};
 use super::pixel::PixelStudy;
 use crate::bound::{Extremes, IntegralTable, Interval};
 use crate::fit::bell::{CosineBell, ExponentialBell, Shape};
@@ -9,6 +9,7 @@ use crate::integral::albedo::{AlbedoCurve, AlbedoError};
 use crate::integral::{Case, Disagreement, Limit, Lobe};
 use crate::kernel::model::Model;
 use crate::paper::{ClaimsError, ClaimsFile, Kind, Printed};
+use crate::scene::{Comparison, SceneError};
 use crate::verdict::{Expectations, ExpectedError, Judge, Judgement};
 use std::time::Duration;
 use thiserror::Error;
@@ -31,6 +32,9 @@ pub enum StudyError {
     /// The expected verdicts cannot be read.
     #[error(transparent)]
     Expected(#[from] ExpectedError),
+    /// A scene cannot be shown.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
     /// A worker thread ended early.
     #[error("a worker thread stopped")]
     Worker,
@@ -104,6 +108,8 @@ pub struct Study {
     pub albedo_curves: Vec<AlbedoCurve>,
     /// The pixel paper's studies.
     pub pixel: PixelStudy,
+    /// Texture filters on the built-in scenes.
+    pub filters: Vec<Comparison>,
     /// The claims.
     pub claims: ClaimsFile,
     /// Their verdicts.
@@ -133,6 +139,7 @@ impl Study {
         let Computed { integrals, fits, printed, nearest, suprema, factors } = computed?;
         let Better { exponential, cosine, cubic_factors, albedos, albedo_curves } =
             better.map_err(|_| StudyError::Worker)??;
+        let filters = clock.time("texture filters", filter_comparisons)?;
         Ok(Study {
             integrals,
             fits,
@@ -146,6 +153,7 @@ impl Study {
             albedos,
             albedo_curves,
             pixel,
+            filters,
             claims,
             judgements,
             expectations,
