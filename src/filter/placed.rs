@@ -101,17 +101,20 @@ pub(super) struct Placed {
 impl Placed {
     #[inline(always)]
     pub fn new([s, t]: [f64; 2], footprint: Footprint<f64>) -> Placed {
+        /// Adding it leaves a whole number up to 2⁵¹ in the last bits.
+        const WHOLE: f64 = 6_755_399_441_055_744.0;
         let (x, y) = (s.floor(), t.floor());
-        Placed { texel: [x as i64, y as i64], fraction: [(s - x) as f32, (t - y) as f32], footprint }
+        let texel = [x, y].map(|x| (x + WHOLE).to_bits().wrapping_sub(WHOLE.to_bits()) as i64);
+        Placed { texel, fraction: [(s - x) as f32, (t - y) as f32], footprint }
     }
 }
 
 /// Most texels that one lookup in one level may have to look at.
 const MOST: f64 = (1u64 << 28) as f64;
 /// Longest half width and half height: whole numbers and halves are exact in `f32`.
-const FARTHEST: f64 = (1u64 << 22) as f64;
+const FARTHEST: f64 = (1u64 << 21) as f64;
 
-/// Whether the ellipse is small enough to be read texel by texel: 2²⁸ texels, 2²² to either side.
+/// Whether the ellipse is small enough to be read texel by texel: 2²⁸ texels, 2²¹ to either side.
 #[inline(always)]
 pub(super) fn is_readable(footprint: &Footprint<f64>) -> bool {
     // Below 4096 to either side without a closer look; a line has nothing to read.

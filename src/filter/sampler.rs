@@ -101,7 +101,7 @@ impl<'a> Sampler<'a> {
     ///   around it (Vulkan specification, "Scale Factor Operation, Level-of-Detail Operation and Image Level(s)
     ///   Selection"; OpenGL 4.6, 8.14.1).
     /// - Ellipse: λ = log₂(minor semi-axis/cover), kept likewise, the minor axis that of the limited ellipse
-    ///   before padding. Where the ellipse there is beyond 2²⁸ texels, or 2²² to a side, the first coarser
+    ///   before padding. Where the ellipse there is beyond 2²⁸ texels, or 2²¹ to a side, the first coarser
     ///   level where it is not; a level of 1 × 1 is read as what it is.
     ///
     /// A position or Jacobian that is not finite: NaN in every channel of the texture, no texels.
@@ -117,8 +117,8 @@ impl<'a> Sampler<'a> {
     /// texel nearer to the rim than that may count or not. The same bits on every machine and vector unit. The
     /// sums may overflow where texels exceed 10³⁵.
     pub fn lookup_at(&self, s: f32, t: f32, j: Jacobian<f32>, level: Level) -> Lookup {
-        let finite = s.is_finite() && t.is_finite() && j.is_finite();
-        if !finite {
+        // 0 times what is not finite is NaN.
+        if s * 0.0 + t * 0.0 + ((j.ux * 0.0 + j.vx * 0.0) + (j.uy * 0.0 + j.vy * 0.0)) != 0.0 {
             return Lookup { level: f32::NAN, ..self.none() };
         }
         let position = [f64::from(s), f64::from(t)];
@@ -126,7 +126,7 @@ impl<'a> Sampler<'a> {
             Level::Auto => None,
             Level::Fixed(i) => Some(i.min(self.last())),
         };
-        match self.method {
+        match &self.method {
             Method::Nearest => {
                 let i = fixed.unwrap_or(0);
                 let (level, [s, t]) = self.at(i, position);
@@ -142,12 +142,12 @@ impl<'a> Sampler<'a> {
                 }
             },
             Method::Ellipse(filter) => {
-                let request = Request { position, j, filter: &filter, fixed };
-                let careful = || self.ellipse(&request, &Careful { wrap: self.wrap, filter: &filter });
+                let request = Request { position, j, filter, fixed };
+                let careful = || self.ellipse(&request, &Careful { wrap: self.wrap, filter });
                 if filter.rim != Rim::None {
                     return careful();
                 }
-                let (sampler, unit) = (self, self.unit);
+                let (sampler, unit, request) = (self, self.unit, &request);
                 with_lane_weight!(filter.weight, self.constants, weight => match self.channels() {
                     1 => unit.run(Lanes::<_, 1> { sampler, request, weight }),
                     2 => unit.run(Lanes::<_, 2> { sampler, request, weight }),
@@ -223,22 +223,23 @@ impl<'a> Sampler<'a> {
     fn ellipse(&self, request: &Request, scan: &impl Scanner) -> Lookup {
         let Request { position, j, filter, fixed } = *request;
         let mut shape = Shape::of(j, filter);
-        let mut level = 0.0;
         // The axes are not free, and a fixed level without a limit needs none.
+        let mut minor = 0.0;
         if fixed.is_none() || filter.anisotropy < f32::INFINITY {
-            let minor;
             (shape, minor) = shape.limited(f64::from(filter.anisotropy));
-            level = self.ellipse_level(&shape, minor, filter);
         }
-        if let Some(i) = fixed {
-            level = i as f32;
-        }
-        let first = level as usize;
-        let fraction = level - first as f32;
-        let mut found = Lookup { level, ..self.none() };
-        (found.value, found.texels) = ([0.0; 4], 0);
+        let (first, fraction) = match fixed {
+            Some(i) => (i, 0.0),
+            None => {
+                let level = self.ellipse_level(&shape, minor, filter);
+                (level as usize, level - level.floor())
+            }
+        };
+        let level = first as f32 + fraction;
+        let mut found = Lookup { value: [0.0; 4], texels: 0, level, fallback: false, refused: false };
         // One loop, so that the scan is compiled once.
-        for i in first..=first + usize::from(fraction > 0.0) {
+        let last = first + usize::from(fraction > 0.0);
+        for i in first..last + 1 {
             let (level, place) = self.at(i, position);
             let footprint = shape.in_level(self.ratios[i], filter.padding);
             let mut mean = None;
@@ -312,7 +313,7 @@ impl Scanner for Careful<'_> {
 /// ellipse itself if it went through memory.
 struct Lanes<'s, 'a, W, const C: usize> {
     sampler: &'s Sampler<'a>,
-    request: Request<'s>,
+    request: &'s Request<'s>,
     weight: W,
 }
 
@@ -328,6 +329,6 @@ impl<W: LaneWeight, const C: usize> Job for Lanes<'_, '_, W, C> {
 
     #[inline(always)]
     fn run(self) -> Lookup {
-        self.sampler.ellipse(&self.request, &self)
+        self.sampler.ellipse(self.request, &self)
     }
 }

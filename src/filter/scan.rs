@@ -4,6 +4,7 @@
 use super::placed::Placed;
 use super::weight::LaneWeight;
 use super::{Texture, Wrap};
+use crate::kernel::pixel::Footprint;
 
 /// Columns, and rows, looked at together: a tile. One is enough for most round ellipses, and a loop that
 /// always runs as often is a branch that is never mispredicted.
@@ -38,9 +39,8 @@ impl Sum {
 
 /// One ellipse over C channels of a level.
 ///
-/// With M = [[a, b], [b, c]] and d = det M, Q = v²/c + (c/d) (u - v b/c)². The ellipse is cut into strips of
-/// [`LANES`] columns; along a strip, u √(c/d) stays and each row takes two numbers, v b/c √(c/d) and v²/c: no
-/// root and no division a row. A texel counts if the Q computed so is ≤ 1, and the strips' rows are chosen
+/// With M = [[a, b], [b, c]] and d = det M, Q = v²/c + (c/d) (u - v b/c)²: no root and no division a row. The
+/// ellipse is cut into strips of [`LANES`] columns. A texel counts if the Q computed so is ≤ 1, and the strips' rows are chosen
 /// wide enough for that alone to decide. u and v are k + ½ - fraction with k a whole number from the middle's
 /// texel, so that a mirrored texture, position and ellipse give the same Q to the last bit, and a texel on the
 /// rim counts in both or in neither.
@@ -56,9 +56,9 @@ pub(super) struct Scan<'a, W, const C: usize> {
 
 /// What a row needs of the ellipse.
 struct Rows {
-    /// √(c/d).
-    root: f32,
-    /// b/c √(c/d).
+    /// c/d.
+    curvature: f32,
+    /// b/c.
     slope: f32,
     /// 1/c.
     inverse: f32,
@@ -67,7 +67,7 @@ struct Rows {
 }
 
 impl Rows {
-    /// Weights of the rows from k on along a strip with offsets `us` = u √(c/d), two rows at a time.
+    /// Weights of the rows from k on along a strip with offsets `us`, two rows at a time.
     #[inline(always)]
     fn weigh<W: LaneWeight>(&self, weight: W, us: &Pair, k: i32, tile: &mut Tile, texels: &mut [u32; PAIR]) {
         let (us, mut count) = (*us, *texels);
@@ -79,7 +79,7 @@ impl Rows {
             for i in 0..PAIR {
                 let v = centre[i] - self.fraction;
                 let e = us[i] - v * self.slope;
-                let q = v * (v * self.inverse) + e * e;
+                let q = v * (v * self.inverse) + (e * e) * self.curvature;
                 // A mask where a branch would be natural: branches do not become vectors.
                 let mask = if q <= 1.0 { u32::MAX } else { 0 };
                 pair[i] = f32::from_bits(weight.at(q).to_bits() & mask);
@@ -152,47 +152,51 @@ impl<W: LaneWeight, const C: usize> Scan<'_, W, C> {
         let inverse = 1.0 / footprint.vv;
         // Of an ellipse thinner than 10⁻³⁸: still 0 times it is 0.
         let single = |x: f64| x.min(f64::from(f32::MAX)) as f32;
-        let root = (footprint.vv / footprint.determinant).sqrt();
         let rows = Rows {
-            root: single(root),
-            slope: (footprint.uv * inverse * root) as f32,
+            curvature: single(footprint.vv / footprint.determinant),
+            slope: (footprint.uv * inverse) as f32,
             inverse: single(inverse),
             fraction: fraction[1],
         };
-        let (width, height) = (footprint.uu.sqrt(), footprint.vv.sqrt());
-        let (first, last) = texels(-width, width, fraction[0]);
-        let (top, bottom) = texels(-height, height, fraction[1]);
+        let (first, last) = texels(footprint.uu, fraction[0]);
+        let (top, bottom) = texels(footprint.vv, fraction[1]);
         let (w, h) = (self.level.width(), self.level.height());
-        let (x, y) = (texel[0] + first, texel[1] + top);
+        let (x, y) = (texel[0] + i64::from(first), texel[1] + i64::from(top));
         // Tiles may reach over the ellipse, as far as weights of 0 go.
         let reach = LANES as i64 - 1;
-        let inside = x >= 0 && texel[0] + last < w as i64 && y >= 0 && texel[1] + bottom + reach < h as i64;
+        let inside = x >= 0
+            && texel[0] + i64::from(last) < w as i64
+            && y >= 0
+            && texel[1] + i64::from(bottom) + reach < h as i64;
         // Of one length in sight of the compiler, which then checks a row's bounds once for all channels.
         let length = self.level.run(0).len();
         let planes: [&[f32]; C] = std::array::from_fn(|c| &self.level.run(c)[..length]);
         let mut tile = [[0.0; PAIR]; LANES / 2];
         let (mut sum, mut totals) = (Sum::default(), Totals::<C>::new());
+        let mut ends = [[top; STRIPS], [bottom; STRIPS]];
         let mut start = first;
+        let mut strip = 0;
         while start <= last {
+            // Four tiles are read sooner than the rows that they hold are found.
+            if (last - first).max(bottom - top) >= PAIR as i32 && strip % STRIPS == 0 {
+                ends = rows_of_strips(&footprint, start, fraction);
+            }
+            let (mut from, to) = (ends[0][strip % STRIPS], ends[1][strip % STRIPS]);
+            strip += 1;
             let mut us = [0.0; PAIR];
             for i in 0..PAIR {
-                us[i] = (((start as i32 + (i % LANES) as i32) as f32 + 0.5) - fraction[0]) * rows.root;
-            }
-            let (mut from, mut to) = (top, bottom);
-            if last - first >= LANES as i64 {
-                let left = start as f64 + 0.5 - f64::from(fraction[0]);
-                let (low, high) = self.placed.heights(width, height, left, left + (LANES - 1) as f64);
-                (from, to) = texels(low, high, fraction[1]);
+                us[i] = (start as f32 + ((i % LANES) as f32 + 0.5)) - fraction[0];
             }
             while from <= to {
                 if totals.pending == PENDING {
                     totals.flush(&mut sum);
                 }
-                rows.weigh(self.weight, &us, from as i32, &mut tile, &mut totals.texels);
+                rows.weigh(self.weight, &us, from, &mut tile, &mut totals.texels);
                 totals.add_weights(&tile);
                 if inside {
                     // Lanes beyond the ellipse may read the next row, or the zeros behind the last.
-                    let at = (texel[1] + from) as usize * w + (texel[0] + start) as usize;
+                    let at =
+                        (texel[1] + i64::from(from)) as usize * w + (texel[0] + i64::from(start)) as usize;
                     for c in 0..C {
                         let mut sum = totals.values[c];
                         for r in 0..LANES {
@@ -205,11 +209,12 @@ impl<W: LaneWeight, const C: usize> Scan<'_, W, C> {
                         totals.values[c] = sum;
                     }
                 } else {
-                    self.wrapped(&tile, &mut totals, [texel[0] + start, texel[1] + from]);
+                    let at = [texel[0] + i64::from(start), texel[1] + i64::from(from)];
+                    self.wrapped(&tile, &mut totals, at);
                 }
-                from += LANES as i64;
+                from += LANES as i32;
             }
-            start += LANES as i64;
+            start += LANES as i32;
         }
         totals.flush(&mut sum);
         sum
@@ -238,33 +243,69 @@ impl<W: LaneWeight, const C: usize> Scan<'_, W, C> {
     }
 }
 
-/// First and last k with k + ½ - fraction in [low, high], and what rounding may add to either side.
+/// First and last k that hold every k with (k + ½ - fraction)² ≤ square.
+///
+/// Of small ellipses one or two tiles about the texel's corner that is nearer to the middle: with the root's
+/// latency out of the way, the next lookup starts before this one is done.
 #[inline(always)]
-fn texels(low: f64, high: f64, fraction: f32) -> (i64, i64) {
-    /// Makes whatever a readable ellipse holds positive, so that the casts round up and down.
-    const SHIFT: f64 = (1u64 << 30) as f64;
-    // Offsets are rounded to 2⁻²² of the larger end, Q's terms to as much of theirs.
-    let slack = 1e-5 + 1e-5 * high.abs().max(low.abs());
-    let middle = f64::from(fraction) - 0.5;
-    let down = |x: f64| (x + SHIFT) as i64 - SHIFT as i64;
-    (-down(slack - middle - low), down(middle + high + slack))
+fn texels(square: f64, fraction: f32) -> (i32, i32) {
+    let nearer = i32::from(fraction >= 0.5);
+    let tiles = |n: i32| (nearer - n, nearer + n - 1);
+    // The first centre beyond is more than 4 or 8 away.
+    if square < 15.99 {
+        tiles(LANES as i32 / 2)
+    } else if square < 63.9 {
+        tiles(LANES as i32)
+    } else {
+        far_texels(square as f32, fraction)
+    }
 }
 
-impl Placed {
-    /// Least and greatest v of the ellipse of these half sides for u from `left` to `right`, both taken into
-    /// its width.
-    #[inline(always)]
-    fn heights(&self, width: f64, height: f64, left: f64, right: f64) -> (f64, f64) {
-        let f = &self.footprint;
-        let (left, right) = (left.max(-width).min(width), right.min(width).max(-width));
-        let inverse = 1.0 / f.uu;
-        let half = |u: f64| (f.determinant * (f.uu - u * u).max(0.0)).sqrt() * inverse;
-        let (m0, h0) = (left * f.uv * inverse, half(left));
-        let (m1, h1) = (right * f.uv * inverse, half(right));
-        // The boundary's highest point, ± the lowest.
-        let peak = f.uv / height;
-        let high = if left <= peak && peak <= right { height } else { (m0 + h0).max(m1 + h1) };
-        let low = if left <= -peak && -peak <= right { -height } else { (m0 - h0).min(m1 - h1) };
-        (low, high)
+#[cold]
+fn far_texels(square: f32, fraction: f32) -> (i32, i32) {
+    let half = square.sqrt();
+    // Offsets are rounded to 2⁻²² of the end, Q's terms to as much of theirs.
+    let reach = half + (1e-5 + 1e-5 * half);
+    let middle = fraction - 0.5;
+    (-down(reach - middle), down(reach + middle))
+}
+
+/// The whole number below x, or x itself or one less where it is one; |x| < 2²².
+#[inline(always)]
+fn down(x: f32) -> i32 {
+    /// Adding it leaves the nearest whole number in the last bits.
+    const ROUND: f32 = 12_582_912.0;
+    ((x - 0.5) + ROUND).to_bits().wrapping_sub(ROUND.to_bits()) as i32
+}
+
+/// Strips whose rows are found together.
+const STRIPS: usize = 4;
+
+/// First and last row of each strip from the column `start` on.
+///
+/// The boundary is v = u b/a ± √(d/a) √(1 - u²/a), highest and lowest at u = ±b/√c.
+#[inline(never)]
+fn rows_of_strips(f: &Footprint<f64>, start: i32, fraction: [f32; 2]) -> [[i32; STRIPS]; 2] {
+    let (width, height) = ((f.uu as f32).sqrt(), (f.vv as f32).sqrt());
+    let chord = ((f.determinant / f.uu) as f32).sqrt();
+    let (lean, narrow) = ((f.uv / f.uu) as f32, 1.0 / width);
+    let peak = f.uv as f32 / height;
+    // Of the ends as above; and √(1 - x²) near x = 1 by what x = u/width is rounded by there.
+    let slack = 1e-5 + 1e-5 * height + 1e-3 * chord;
+    let middle = fraction[1] - 0.5;
+    let mut ends = [[0; STRIPS]; 2];
+    for i in 0..STRIPS {
+        let left = (start as f32 + ((i * LANES) as f32 + 0.5)) - fraction[0];
+        let right = (left + (LANES - 1) as f32).max(-width).min(width);
+        let left = left.max(-width).min(width);
+        let half = |u: f32| chord * ((1.0 - u * narrow) * (1.0 + u * narrow)).max(0.0).sqrt();
+        let (m0, h0, m1, h1) = (left * lean, half(left), right * lean, half(right));
+        let high = (m0 + h0).max(m1 + h1);
+        let low = (m0 - h0).min(m1 - h1);
+        let high = if left <= peak && peak <= right { height } else { high };
+        let low = if left <= -peak && -peak <= right { -height } else { low };
+        ends[0][i] = -down(slack - low - middle);
+        ends[1][i] = down(slack + high + middle);
     }
+    ends
 }
