@@ -358,6 +358,36 @@ fn the_ellipse_is_the_naive_scan() {
     }
 }
 
+/// Long ellipses whose bounding box ends within a texel of the texture's edges: the fast path reads whole tiles
+/// and must not reach over them, nor lose a row.
+#[test]
+fn ellipses_up_to_the_edge_are_the_naive_scan() {
+    let mut draw = Draw(91);
+    let texture = random(&mut draw, 97, 83, 1);
+    let levels = pyramid(texture.clone());
+    let weight = PixelWeight::Bell(8, 1.0 / 3.0);
+    for i in 0..600 {
+        let minor = draw.real(1.0, 9.0);
+        let j = along(minor * draw.real(1.0, 5.0), minor, draw.real(-1.6, 1.6));
+        let m = matrix(j, Padding::Plain);
+        let (width, height) = (m[0].sqrt(), m[2].sqrt());
+        let near = draw.real(-0.7, 1.2);
+        let (s, t) = match i % 4 {
+            0 => (width + near, 41.0),
+            1 => (97.0 - width - near, 41.0),
+            2 => (48.0, height + near),
+            _ => (48.0, 83.0 - height - near),
+        };
+        let (s, t) = (s as f32, t as f32);
+        let found = at(&levels, Wrap::Clamp, ellipse(weight), s, t, j);
+        let expected = naive(&texture, Wrap::Clamp, weight, [s.into(), t.into()], m, tilt(m));
+        assert!((expected.surely..=expected.perhaps).contains(&found.texels), "{i}: {found:?}");
+        // Doubtful texels have next to no weight; else as in the scan above.
+        let error = (f64::from(found.value[0]) - expected.value[0]).abs();
+        assert!(error < 2e-4 + 2.0 * expected.doubtful, "{i}: {error}");
+    }
+}
+
 /// Whether the weight is 0 on the rim, so that a texel there may have none at all.
 fn weight_vanishes(weight: PixelWeight<f32>) -> bool {
     matches!(weight, PixelWeight::Paper(PaperReading::R1) | PixelWeight::PaperProduct(_))

@@ -278,11 +278,22 @@ fn volumes_of_bad_arguments() {
     assert_eq!((clip_volume_cut(0.5, SIGMA, 0.5), clip_volume_cut(-0.5, SIGMA, 0.5)), (0.0, 1.0));
     assert_eq!(clip_volume_cut(0.2, SIGMA, INF), clip_volume(0.2, SIGMA));
     assert_eq!(clip_volume_cut(0.0, SIGMA, RADIUS), 0.5);
-    // A flat disc: a quarter turn of the rim is beyond the line at r/√2.
+    // A flat disc: a quarter turn of the rim is beyond the line at r/√2. At 1e155 to 1e162, and 1e19 to 1e23 in
+    // single precision, the square of r/σ is subnormal.
     let disc = (PI / 4.0 - 0.5) / PI;
-    for sigma in [1e9, 1e200, INF] {
-        assert!((clip_volume_cut(libm::sqrt(0.5), sigma, 1.0) - disc).abs() < 1e-15, "{sigma}");
+    for sigma in [1e9, 1e150, 1e155, 1e160, 1e161, 2e161, 1e162, 1e200, INF] {
+        assert!(
+            (clip_volume_cut(libm::sqrt(0.5), sigma, 1.0) - disc).abs() <= 8.0 * unit::<f64>(),
+            "{sigma}"
+        );
     }
+    for sigma in [1e3, 1e4, 1e10, 1e19, 1e20, 1e21, 5e21, 1e22, 1e23] {
+        let got = f64::from(clip_volume_cut(libm::sqrtf(0.5), sigma, 1.0));
+        assert!((got - disc).abs() <= 8.0 * unit::<f32>(), "{sigma}");
+    }
+    // The ends of the range: radii whose sums overflow, σ whose reciprocal does.
+    assert!((clip_volume_cut(1.2e308, INF, 1.6e308) - clip_volume_cut(0.75, INF, 1.0)).abs() < 1e-15);
+    assert_eq!((clip_volume_cut(0.0, 1e-310, 0.5), clip_volume_cut(0.1, 1e-310, 0.5)), (0.5, 0.0));
     // The printed parabola, in decimals worked by hand: 0.5 - 0.25 (2.151 - 0.5895) = 0.109625.
     assert!((clip_volume_paper(0.25_f64) - 0.109_625).abs() < 1e-16);
     assert!((clip_volume_paper(-0.1_f64) - 0.738_68).abs() < 1e-15);

@@ -267,6 +267,10 @@ fn the_footprints_domain_is_what_its_page_says() {
             }
             assert_eq!(Inverse::of(j, Padding::Plain).q(power(a), power(b)), F::TWO);
         }
+        // Long rows and |det J| at the lower end, but a chord that vanishes: nothing, in the middle too.
+        let line =
+            Jacobian { ux: power(high - 1), vx: power(high - 1), uy: power(low - high + 1), vy: F::ZERO };
+        assert_eq!(Footprint::of(line, Padding::Plain).q(F::ZERO, F::ZERO), F::INFINITY);
         // Beyond: NaN above, nothing below, and never a plausible number.
         let round = |e| Jacobian { ux: power(e), vx: power(e), uy: -power(e), vy: power(e) };
         let above = Footprint::of(round(high + 2), Padding::Plain);
@@ -278,4 +282,30 @@ fn the_footprints_domain_is_what_its_page_says() {
     }
     test::<f32>(31, -63);
     test::<f64>(255, -511);
+}
+
+#[test]
+fn the_skew_of_any_size_is_the_same() {
+    fn test<F: Real>(exponents: [i32; 4]) {
+        let third = Jacobian { ux: F::ONE, vx: F::ONE, uy: -F::ONE, vy: F::TWO };
+        let want = Skew::of(third);
+        // Of (1, 1) to (-1, 2): the cross product is 3, the inner one 1.
+        assert!((want.angle.to_f64() - libm::atan(3.0)).abs() < 4.0 * unit::<F>());
+        for e in exponents {
+            let s = |x: F| x.scaled(e);
+            let j = Jacobian { ux: s(third.ux), vx: s(third.vx), uy: s(third.uy), vy: s(third.vy) };
+            assert_eq!(Skew::of(j), want, "2^{e}");
+        }
+        // Opposite and equal vectors, and the range's ends.
+        let flat = |b: f64| Skew::of(jacobian::<F>([1.0, 0.0, b, 0.0])).angle;
+        assert_eq!((flat(-2.0), flat(2.0)), (F::PI, F::ZERO));
+        assert!(Skew::of(jacobian::<F>([INF, 0.0, 1.0, 0.0])).angle.is_nan());
+        let half = F::HALF * F::PI;
+        for (angle, ratio) in [(half, 2.0), (-half, 2.0), (-half, 4.0), (half, 4.0)] {
+            let tilt = Skew { angle, ratio: F::from_f64(ratio) }.tilt();
+            assert!(tilt > -half && tilt <= half, "{angle:?} {ratio}: {tilt:?}");
+        }
+    }
+    test::<f32>([-100, -70, 70, 120]);
+    test::<f64>([-900, -540, 540, 1000]);
 }

@@ -1,6 +1,6 @@
 //! How far a pixel's weight is from the Gaussian of σ = 1/3 of the ellipse's semi-axis, over the plane.
 
-use super::{Gradient, Interval, Jet, Supremum, range, supremum};
+use super::{Interval, Jet, Supremum, range, supremum};
 use crate::integral::Field;
 
 /// Boxes after which a search settles for what it has.
@@ -30,7 +30,7 @@ impl WeightRegion {
     }
 
     /// A supremum over the searched part as one over the region.
-    fn with_tail<const D: usize>(self, found: Supremum<D>) -> Supremum<D> {
+    fn with_tail(self, found: Supremum<1>) -> Supremum<1> {
         let tail = if self == WeightRegion::Plane { gaussian(Interval::from(FAR)).hi() } else { 0.0 };
         Supremum { value: Interval::new(found.value.lo(), found.value.hi().max(tail)), ..found }
     }
@@ -43,7 +43,7 @@ fn gaussian(q: Interval) -> Interval {
 
 /// max(p, 0)^K, p = 1 - c₁ z + c₂ z² - c₃ z³ with z = 9Q/(2K): a weight by its polynomial.
 ///
-/// p is to stay at or below 0 behind its first zero, and that zero to lie before Q = 8.
+/// p is to stay at or below 0 behind its first zero, and that zero to lie at Q = 16 or before.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BellTerms {
     /// K.
@@ -53,10 +53,10 @@ pub struct BellTerms {
 }
 
 impl BellTerms {
-    fn base<T: Field>(&self, q: T, constant: impl Fn(Interval) -> T) -> T {
-        let [c1, c2, c3] = self.terms.map(&constant);
-        let z = constant(Interval::from(4.5) / Interval::int(i64::from(self.power))) * q;
-        T::int(1) - z.clone() * (c1 - z.clone() * (c2 - z * c3))
+    fn base(&self, q: Jet) -> Jet {
+        let [c1, c2, c3] = self.terms.map(Jet::constant);
+        let z = Jet::constant(Interval::from(4.5) / Interval::int(i64::from(self.power))) * q;
+        Jet::int(1) - z * (c1 - z * (c2 - z * c3))
     }
 
     /// sup over the region of |e^(-9Q/2) - bell(Q)|; `at` is Q.
@@ -72,35 +72,13 @@ impl BellTerms {
     pub fn distance(&self, region: WeightRegion, tolerance: f64) -> Supremum<1> {
         let (lo, hi) = region.ends();
         let error = |q: Jet| {
-            let base = self.base(q, Jet::constant);
+            let base = self.base(q);
             let below = base.value.lo() < 0.0;
             let slope = if below { base.slope.hull(Interval::from(0.0)) } else { base.slope };
             let bell = Jet { value: base.value.max(Interval::from(0.0)), slope }.power(self.power);
             (Jet::int(0) - q * Jet::constant(Interval::from(4.5))).exp() - bell
         };
         let found = supremum(|[q]| range(error, *q).abs(), [Interval::new(lo, hi)], tolerance, MOST_BOXES);
-        region.with_tail(found)
-    }
-
-    /// sup over the region of |e^(-9Q/2) - bell(a²) bell(b²)|, Q = a² + b²; `at` is (Q, a²/Q).
-    pub fn product_distance(&self, region: WeightRegion, tolerance: f64) -> Supremum<2> {
-        let (lo, hi) = region.ends();
-        let bell = |q: Gradient| {
-            let base = self.base(q, Gradient::constant);
-            let below = base.value.lo() < 0.0;
-            let zero = Interval::from(0.0);
-            let slopes = base.slopes.map(|s| if below { s.hull(zero) } else { s });
-            Gradient { value: base.value.max(zero), slopes }.power(self.power)
-        };
-        let error = |[q, share]: [Gradient; 2]| {
-            let rest = Gradient::int(1) - share;
-            // cosⁿ at 1/n = 0 is e^-t.
-            let t = q * Gradient::constant(Interval::from(4.5));
-            Gradient::cos_n(t, Gradient::int(0)) - bell(q * share) * bell(q * rest)
-        };
-        // By symmetry the larger of the two may be b².
-        let domain = [Interval::new(lo, hi), Interval::new(0.0, 0.5)];
-        let found = supremum(|cell| Gradient::range(error, *cell).abs(), domain, tolerance, MOST_BOXES);
         region.with_tail(found)
     }
 }

@@ -181,7 +181,8 @@ impl<W: LaneWeight, const C: usize> Scan<'_, W, C> {
             if (last - first).max(bottom - top) >= PAIR as i32 && strip % STRIPS == 0 {
                 ends = rows_of_strips(&footprint, start, fraction);
             }
-            let (mut from, to) = (ends[0][strip % STRIPS], ends[1][strip % STRIPS]);
+            // A strip's ends are rounded outward by more than the whole's, which decide what is inside.
+            let (mut from, to) = (ends[0][strip % STRIPS].max(top), ends[1][strip % STRIPS].min(bottom));
             strip += 1;
             let mut us = [0.0; PAIR];
             for i in 0..PAIR {

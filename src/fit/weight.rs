@@ -10,8 +10,8 @@ use core::f64::consts::{FRAC_PI_6, PI};
 
 /// σ of the pixel paper as a fraction of the semi-axis: L/6 of L/2.
 const SIGMA: f64 = 1.0 / 3.0;
-/// The proofs' tolerances, absolute, on a line and over the plane.
-const TOLERANCE: (f64, f64) = (1e-9, 1e-6);
+/// The proofs' tolerance, absolute.
+const TOLERANCE: f64 = 1e-9;
 
 /// A largest |Gaussian - weight|, proved, with the Q where it is reached.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,13 +96,18 @@ pub fn weight_rows() -> Vec<WeightRow> {
     let row = |weight: PixelWeight<f64>| {
         let terms = terms(weight)?;
         let found = |region: WeightRegion| {
+            let of = |terms: BellTerms| {
+                let found = terms.distance(region, TOLERANCE);
+                WeightError { value: found.value.hi(), q: found.at[0] }
+            };
+            let axis = of(terms);
             if weight.is_radial() {
-                let found = terms.distance(region, TOLERANCE.0);
-                WeightError { value: found.value.hi(), q: found.at[0] }
-            } else {
-                let found = terms.product_distance(region, TOLERANCE.1);
-                WeightError { value: found.value.hi(), q: found.at[0] }
+                return axis;
             }
+            // At one Q a product takes the values from (1 - c Q)^8, on an axis, to (1 - c Q/2)^16, on a
+            // diagonal: with the sum of two factors given it is largest where they are equal.
+            let diagonal = of(BellTerms { power: 2 * terms.power, ..terms });
+            if diagonal.value > axis.value { diagonal } else { axis }
         };
         let degree = if matches!(weight, PixelWeight::Cubic(..)) { 3 } else { 1 };
         let Cost { from_t, .. } = operations(degree, terms.power, false);

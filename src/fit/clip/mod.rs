@@ -17,19 +17,14 @@ pub use row::{ClipObjective, ClipRow, clip_rows};
 pub use squares::{ClipPoints, clip_least_squares};
 pub use target::{ClipPixel, ClipTarget};
 
-/// p₀, p₁, p₂ of P as the pixel paper prints them, signs written out.
-pub const CLIP_PRINTED: [&str; 3] = ["0.5", "-2.151", "2.358"];
-
 /// p₀ + p₁ d + p₂ d² + p₃ d³.
 pub(crate) fn at([p0, p1, p2, p3]: [f64; 4], d: f64) -> f64 {
     p0 + d * (p1 + d * (p2 + d * p3))
 }
 
-/// [`CLIP_PRINTED`] as doubles, p₃ = 0.
+/// p₀ to p₃ of P from the digits that the kernel has, [`CLIP_PRINTED`](crate::kernel::pixel::CLIP_PRINTED),
+/// signs multiplied out; p₃ = 0. As the shortest decimals that read back they are the printed ones.
 pub fn clip_printed() -> [f64; 4] {
-    let mut p = [0.0; 4];
-    for (p, text) in p.iter_mut().zip(CLIP_PRINTED) {
-        *p = text.parse().unwrap_or(f64::NAN);
-    }
-    p
+    let [c0, c1, c2] = crate::kernel::pixel::CLIP_PRINTED;
+    [c0, -c1, c2, 0.0]
 }

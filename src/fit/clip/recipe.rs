@@ -2,7 +2,7 @@
 
 use super::family::ClipFamily;
 use super::squares::weighted_squares;
-use super::{CLIP_PRINTED, ClipPixel, ClipPoints, ClipTarget};
+use super::{ClipPixel, ClipPoints, ClipTarget, clip_printed};
 use crate::bound::{decimal, exact, power_of_ten};
 use dashu_ratio::RBig;
 
@@ -42,12 +42,12 @@ impl SigmaRange {
 
 /// What the printed digits of each coefficient mean, both ends included.
 fn meant() -> Option<[(RBig, RBig); 3]> {
-    let range = |text: &str| {
-        let (value, places) = decimal(text)?;
+    let range = |printed: f64| {
+        let (value, places) = decimal(&printed.to_string())?;
         let half = power_of_ten(-places) / RBig::from(2);
         Some((value.clone() - half.clone(), value + half))
     };
-    let [a, b, c] = CLIP_PRINTED;
+    let [a, b, c, _] = clip_printed();
     Some([range(a)?, range(b)?, range(c)?])
 }
 

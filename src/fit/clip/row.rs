@@ -4,7 +4,7 @@ use super::exchange::{falling, largest, minimax};
 use super::family::{ClipFamily, Ending, falls};
 use super::recipe::prints;
 use super::squares::weighted_squares;
-use super::{CLIP_PRINTED, ClipPixel, ClipPoints, ClipTarget, at, clip_printed};
+use super::{ClipPixel, ClipPoints, ClipTarget, at, clip_printed};
 use crate::bound::{ClippedPixel, Interval, clip_distance, decimal, enclose};
 use crate::fit::DIGITS;
 use crate::fit::continuum::golden_section;
@@ -71,8 +71,8 @@ const TOLERANCE: f64 = 1e-9;
 
 fn row(pixel: &ClipPixel, objective: ClipObjective, p: [f64; 4]) -> ClipRow {
     let exact = |i: usize| {
-        let printed = if objective_is_printed(objective) { CLIP_PRINTED.get(i) } else { None };
-        printed.and_then(|text| decimal(text)).map_or(Interval::from(p[i]), |(value, _)| enclose(&value))
+        let printed = if objective_is_printed(objective) { decimal(&p[i].to_string()) } else { None };
+        printed.map_or(Interval::from(p[i]), |(value, _)| enclose(&value))
     };
     let clipped = match pixel.target {
         // Holds 1/σ whether σ or its reciprocal was rounded.

@@ -10,8 +10,8 @@ use crate::kernel::real::Real;
 /// derivative vectors on it.
 ///
 /// - Units: A, B and C texels², F texels⁴. B² - 4 A C = -4 F.
-/// - Nothing overflows for components up to 2³¹ (`f32`) or 2²⁵⁵ (`f64`), or vanishes for |det J| from 2⁻⁶³
-///   or 2⁻⁵¹¹ on. Parallel or zero columns: F = 0. A component that is not finite: some of A, B, C, F are not.
+/// - Nothing overflows for components up to 2³¹ (`f32`) or 2²⁵⁵ (`f64`), or vanishes for |det J| and lengths of
+///   J's rows from 2⁻⁶³ or 2⁻⁵¹¹ on. Parallel or zero columns: F = 0. A component that is not finite: some of A, B, C, F are not.
 ///
 /// ```
 /// use bellfit::kernel::pixel::{Conic, Jacobian};

@@ -22,13 +22,13 @@ pub enum Padding {
 /// Ellipse xᵀ M⁻¹ x ≤ 1 of texels under a pixel, by its matrix M: what an inner loop over texels needs.
 ///
 /// - Domain, in which nothing over- or underflows: components of J up to 2³¹ (2e9) in `f32` and 2²⁵⁵ (5e76)
-///   in `f64`; when plain also |det J| and the lengths of J's rows at least 2⁻⁶³ (1e-19) or 2⁻⁵¹¹ (1e-154).
-///   [`Inverse`](super::Inverse) has no such limits.
-/// - Below: what vanishes is degenerate. Above, where an entry or det M is infinite: NaN.
+///   in `f64`; when plain also at least 2⁻⁶³ (1e-19) or 2⁻⁵¹¹ (1e-154): |det J|, the lengths of J's rows, and
+///   |det J| by either length, the half chords along u and v. [`Inverse`](super::Inverse) has no such limits.
+/// - Below: what vanishes, a chord too, is degenerate. Above, where an entry or det M is infinite: NaN.
 /// - Degenerate, det M = 0 (parallel or zero columns, when plain): the ellipse holds nothing, Q = +∞ at
 ///   every finite point, its middle included. J not finite: NaN.
 /// - Accuracy for Q ≤ 1: absolute error at most 16 u times the aspect of the ellipse, u = 2⁻²⁴ or 2⁻⁵³
-///   (sampled, 1.6 u met): `u - middle` cancels to the minor axis' size from the major's.
+///   (sampled, 5.3 u met): `u - middle` cancels to the minor axis' size from the major's.
 ///
 /// ```
 /// use bellfit::kernel::pixel::{Footprint, Jacobian, Padding};
@@ -143,15 +143,12 @@ impl<F: Real> Footprint<F> {
     /// ```
     #[inline]
     pub fn row(&self, v: F) -> Row<F> {
-        // As M is positive, it is singular only where det M is 0 or has underflowed.
-        if self.determinant == F::ZERO || self.vv == F::ZERO {
+        let curvature = self.vv / self.determinant;
+        // As M is positive, it is singular only where det M is 0 or too small beside vv: infinite then.
+        if curvature == F::INFINITY || self.vv == F::ZERO {
             return Row { middle: F::ZERO, least: F::INFINITY + v, curvature: F::ZERO };
         }
-        Row {
-            middle: v * (self.uv / self.vv),
-            least: v * (v / self.vv),
-            curvature: self.vv / self.determinant,
-        }
+        Row { middle: v * (self.uv / self.vv), least: v * (v / self.vv), curvature }
     }
 
     /// Q at (u, v) from the middle, in texels: 0 there, 1 on the ellipse.

@@ -8,7 +8,8 @@ use crate::kernel::real::Real;
 ///
 /// Any finite numbers are a Jacobian. Parallel or zero columns (det J = 0) make its ellipse a line or a
 /// point; a mirrored mapping (det J < 0) has the ellipse of the one that is not. A component that is not
-/// finite makes everything derived from it NaN.
+/// finite makes every Q and every true axis NaN; the paper's own expressions, [`Conic`](super::Conic) and
+/// [`Jacobian::lengths`], give what IEEE 754 makes of them.
 ///
 /// ```
 /// use bellfit::kernel::pixel::Jacobian;

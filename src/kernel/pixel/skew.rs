@@ -49,11 +49,31 @@ pub struct Skew<F> {
 
 impl<F: Real> Skew<F> {
     /// Of a Jacobian; ρ is +∞ or NaN where the first vector is 0.
+    ///
+    /// Domain: every finite J, whatever its size. A component that is not finite: an angle of NaN.
+    ///
+    /// ```
+    /// use bellfit::kernel::pixel::{Jacobian, Skew};
+    /// let tiny = Jacobian { ux: 1e-30_f32, vx: 0.0, uy: 0.0, vy: 2e-30 };
+    /// assert_eq!(Skew::of(tiny), Skew { angle: std::f32::consts::FRAC_PI_2, ratio: 2.0 });
+    /// ```
     #[inline]
     pub fn of(j: Jacobian<F>) -> Self {
         let (first, second) = j.lengths();
-        let along = j.ux * j.uy + j.vx * j.vy;
-        Skew { angle: j.determinant().atan2(along), ratio: second / first }
+        if !j.is_finite() {
+            return Skew { angle: F::NAN, ratio: second / first };
+        }
+        // |second| sin φ and |second| cos φ times |first|: the second is det of the first vector turned.
+        let (cross, a) = j.determinant_and_exponent();
+        let (dot, b) = Jacobian { uy: -j.vy, vy: j.uy, ..j }.determinant_and_exponent();
+        // A product of 0 has no exponent.
+        let e = match (cross == F::ZERO, dot == F::ZERO) {
+            (true, _) => b,
+            (_, true) => a,
+            _ if a >= b => a,
+            _ => b,
+        };
+        Skew { angle: cross.scaled(a - e).atan2(dot.scaled(b - e)), ratio: second / first }
     }
 
     /// A Jacobian of this shape: the first vector (1, 0).
@@ -72,7 +92,7 @@ impl<F: Real> Skew<F> {
 
     /// True major axis by the longer of the paper's two, in [1, √2].
     ///
-    /// Rounding: 4 ε. NaN: NaN; ρ so large or small that ρ² leaves the range: NaN or 1.
+    /// Rounding: 4 ε. NaN: NaN; ρ² beyond the type: +∞; ρ² that vanishes: 1.
     #[inline]
     pub fn major(self) -> F {
         let (x, y) = self.turn();
@@ -99,7 +119,8 @@ impl<F: Real> Skew<F> {
     #[inline]
     pub fn tilt(self) -> F {
         let (x, y) = self.turn();
-        F::HALF * y.atan2(x)
+        let tilt = F::HALF * y.atan2(x);
+        if tilt <= -(F::HALF * F::PI) { tilt + F::PI } else { tilt }
     }
 
     /// Whether [`TiltFormula::Conic`](super::TiltFormula::Conic) gives the minor axis, a quarter turn off,

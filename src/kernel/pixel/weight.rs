@@ -105,7 +105,7 @@ impl<F: Real> PixelWeight<F> {
     /// beyond; a weight that [is radial](Self::is_radial) takes (Q, 0) as well.
     ///
     /// Values in [0, 1]. +∞: 0, but 1 for the box. NaN: NaN. A power K that is not listed: NaN. Negative
-    /// squares: the formula as it is, above 1.
+    /// squares: the formula as it is, above 1 but for the box.
     ///
     /// ```
     /// use bellfit::kernel::pixel::{PaperReading, PixelWeight};

@@ -135,7 +135,8 @@ fn recipes(study: &PixelStudy, text: &mut String) {
         text.push_str("- none\n");
     }
     text.push_str(
-        "\nThe paper states σ = L/6, which is 1/6 of the base diameter. Left open, these σ would print p₁ and p₂ (sampled):\n\n\
+        "\nThe paper states σ = L/6, which is 1/6 of the base diameter; P itself it quotes from another source, whose σ it does \
+         not give. Left open, these σ would print p₁ and p₂ (sampled):\n\n\
          | least squares | p₀ | σ that prints p₁ | σ that prints p₂ | both |\n|---|---|---|---|---|\n",
     );
     for row in &study.sigmas {
@@ -250,13 +251,18 @@ fn weights(study: &PixelStudy, text: &mut String) {
         );
     }
     let of = |name: &str| study.weights.iter().find(|row| row.name == name);
-    if let (Some(r1), Some(r2), Some(cubic)) = (of("r1-sum"), of("r2-sum"), of("cubic-4")) {
+    let readings = ["r1-sum", "r2-sum", "r3-sum", "r4-sum", "cubic-4"].map(of);
+    if let [Some(r1), Some(r2), Some(r3), Some(r4), Some(cubic)] = readings {
         let _ = writeln!(
             text,
-            "\nNo reading is both 0 on the ellipse and near the Gaussian of σ = L/6: R1 ends there and is {} off; R2, (8) as \
-             it is printed with n = 1/σ², ends at Q = 16/9 and is {} off. The cubic bell of {} operations is {} off.",
+            "\nNo reading is both 0 on the ellipse and near the Gaussian of σ = L/6: R1 ends there and is {} off; R2, (8) with \
+             n = 1/σ² in place of the printed 8, ends at Q = 16/9 and is {} off. With n = 8 as printed R1, R3 and R4 are \
+             left, of which R3 is nearest, {} off, and R4 {}. So R1 is meant if the ellipse is to be the pixel's base, \
+             R2 or R3 if P4's σ is: the print does not decide. The cubic bell of {} operations is {} off.",
             short_up(r1.plane.value),
             short_up(r2.plane.value),
+            short_up(r3.plane.value),
+            short_up(r4.plane.value),
             cubic.operations,
             short_up(cubic.plane.value)
         );

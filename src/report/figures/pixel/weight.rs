@@ -118,7 +118,7 @@ pub(super) fn texels(texels: &[TexelWeight]) -> Figure {
     let chart = Chart::Heat(HeatMap {
         title: message.into(),
         subtitle:
-            "Its centre is a texel's. Weights in hundredths, 1 in the middle; grey: the texel's centre lies \
+            "Its centre is a texel's. Weights to two decimals, 1 in the middle; no value where the texel's centre lies \
                    outside."
                 .into(),
         x: axis("u (texels)", across, columns),
