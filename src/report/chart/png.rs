@@ -35,8 +35,8 @@ pub(super) fn render(scene: &Scene) -> Result<Vec<u8>, ChartError> {
             }
         }
     }
-    // A ramp needs all that a palette holds, curves and texts look the same in 64 colours.
-    let last = if scene.rasters.is_empty() { 63 } else { 255 };
+    // A ramp needs all that a palette holds, curves and texts look the same in 32 colours.
+    let last = if scene.rasters.is_empty() { 31 } else { 255 };
     let Indexed { palette, pixels } = indexed(&shrink(&pixels, width, height), last);
     write(&pixels, width, height, |encoder| {
         encoder.set_color(png::ColorType::Indexed);

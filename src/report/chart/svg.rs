@@ -31,14 +31,14 @@ pub(super) fn render(scene: &Scene) -> Result<String, ChartError> {
     let (_, body) = body.split_once('\n').unwrap_or_default();
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100%\" viewBox=\"0 0 {width} {height}\" \
-         role=\"img\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n\
+         role=\"img\"{COMMON} stroke-linecap=\"round\" stroke-linejoin=\"round\">\n\
          <title>{}</title>\n<rect width=\"{width}\" height=\"{height}\" fill=\"#FFFFFF\"/>\n",
         escape(&scene.title)
     );
     for raster in &scene.rasters {
         image(&mut svg, raster)?;
     }
-    svg.push_str(body);
+    svg.push_str(&brief(body));
     Ok(svg)
 }
 
@@ -107,6 +107,17 @@ fn fine(length: f64) -> i32 {
 
 fn position((x, y): Point) -> (i32, i32) {
     (fine(x), fine(y))
+}
+
+/// What plotters says of every line and every text, said once for all of them.
+const COMMON: &str = " fill=\"none\" font-family=\"DejaVu Sans, Verdana, sans-serif\"";
+
+/// The shapes without what is common to all or the default.
+fn brief(body: &str) -> String {
+    let (line, family) = COMMON.split_at(" fill=\"none\"".len());
+    let all = [line, family, " opacity=\"1\"", " stroke=\"none\"", " text-anchor=\"start\""];
+    let body = all.iter().fold(body.to_owned(), |body, part| body.replace(part, ""));
+    body.replace(" \"/>", "\"/>").replace("\">\n", "\">").replace("\n</text>", "</text>")
 }
 
 fn escape(text: &str) -> String {
