@@ -1,5 +1,5 @@
 //! Bell-shaped kernels of computer graphics, verified: specular lobes that stand for cosⁿ at the
-//! price of a few multiplications, with proof of how far they are from it.
+//! price of a few multiplications, and Gaussian pixels, with proof of how far they are from it.
 //!
 //! Without default features the crate is [`kernel`] alone: `no_std`, no allocation, `libm` its one
 //! dependency. With them it is the toolkit behind the `bellfit` program, whose parts use one

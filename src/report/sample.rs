@@ -79,9 +79,10 @@ pub fn sample_lines(row: &SampleRow<'_>) -> String {
 struct Line<'a> {
     value: &'a [f32],
     channels: &'static [&'static str],
-    major: f64,
-    minor: f64,
-    tilt_degrees: f64,
+    /// Semi-axes, the major and the minor one.
+    axes: [f64; 2],
+    /// Degrees.
+    tilt: f64,
     level: f32,
     texels: u64,
     fallback: bool,
@@ -89,7 +90,7 @@ struct Line<'a> {
     weight: Option<&'a str>,
     sigma: Option<f32>,
     conic: Option<&'static str>,
-    axes: Option<&'static str>,
+    axes_from: Option<&'static str>,
     rim: Option<&'static str>,
 }
 
@@ -102,9 +103,8 @@ pub fn sample_json(row: &SampleRow<'_>) -> Result<String, ArtifactError> {
     let line = Line {
         value: &row.lookup.value[..row.channels],
         channels: channel_names(row.channels),
-        major: row.axes.major,
-        minor: row.axes.minor,
-        tilt_degrees: degrees(row.axes.tilt),
+        axes: [row.axes.major, row.axes.minor],
+        tilt: degrees(row.axes.tilt),
         level: row.lookup.level,
         texels: row.lookup.texels,
         fallback: row.lookup.fallback,
@@ -112,7 +112,7 @@ pub fn sample_json(row: &SampleRow<'_>) -> Result<String, ArtifactError> {
         weight: row.weight,
         sigma: filter.and_then(|f| weight_sigma(f.weight)),
         conic: filter.map(|f| padding_id(f.padding)),
-        axes: filter.map(|f| f.axes.id()),
+        axes_from: filter.map(|f| f.axes.id()),
         rim: filter.map(|f| f.rim.id()),
     };
     let text = serde_json::to_string(&line).map_err(|error| ArtifactError::Table(error.to_string()))?;
