@@ -9,7 +9,9 @@ use bellfit::filter::{
     AxesKind, EllipseFilter, FilterError, Level, Lookup, Method, Pyramid, Reduction, Rim, Sampler, Texture,
     Wrap,
 };
-use bellfit::kernel::pixel::{Axes, Footprint, Jacobian, Padding, PaperReading, PixelWeight, TiltFormula};
+use bellfit::kernel::pixel::{
+    Axes, Footprint, Jacobian, Padding, PaperReading, PixelWeight, Tangent, TiltFormula, coverage, half_plane,
+};
 use bellfit::slice::Unit;
 use draw::Draw;
 use std::f64::consts::PI;
@@ -644,6 +646,59 @@ fn a_rim_by_area_weighs_the_exact_area() {
         let whole = at(&inner, Wrap::Repeat, filter, 11.25, 16.5, along(5.0, 5.0, 0.0)).value[0];
         let expected = if rim == Rim::HalfPlane { 0.25 } else { 0.109625 };
         assert!((share(11.25) / whole - expected).abs() < 1e-5, "{rim:?}: {}", share(11.25) / whole);
+    }
+}
+
+/// Every texel in a wide square about the ellipse, weighed by the kernel's shares, which have references of their
+/// own: none is left out, none counts twice, and the weight is the one at the texel's centre.
+#[test]
+fn every_rim_counts_all_texels_with_a_share() {
+    let mut draw = Draw(61);
+    let n = 48;
+    let texture = random(&mut draw, n, n, 1);
+    let pyramid = pyramid(texture.clone());
+    for round in 0..60 {
+        let (major, aspect) = (libm::exp(draw.real(-1.5, 2.5)), libm::exp(draw.real(0.0, 2.5)));
+        let j = along(major, major / aspect, draw.real(0.0, 2.0 * PI));
+        let (s, t) = (draw.real(0.0, n as f64) as f32, draw.real(0.0, n as f64) as f32);
+        let (padding, wrap) = ([Padding::Plain, Padding::Padded][round % 2], Wrap::ALL[round % 3]);
+        let double = Jacobian { ux: j.ux.into(), vx: j.vx.into(), uy: j.uy.into(), vy: j.vy.into() };
+        let footprint = Footprint::of(double, padding);
+        for (rim, share) in [
+            (Rim::Area, coverage as fn(&Footprint<f64>, f64, f64) -> f64),
+            (Rim::HalfPlane, half_plane),
+            (Rim::Volume, |footprint, u, v| match Tangent::of(footprint, u, v).distance {
+                d if d.abs() >= 0.5 => f64::from(u8::from(d > 0.0)),
+                d if d >= 0.0 => 0.5 + d * (2.151 - 2.358 * d),
+                d => 0.5 + d * (2.151 + 2.358 * d),
+            }),
+        ] {
+            for weight in [PixelWeight::Box, PixelWeight::Gaussian(0.5)] {
+                let (mut sum, mut mass, mut texels) = (0.0, 0.0, 0);
+                for y in -20..n as i64 + 20 {
+                    for x in -20..n as i64 + 20 {
+                        let (u, v) = (x as f64 + 0.5 - f64::from(s), y as f64 + 0.5 - f64::from(t));
+                        let share =
+                            if coverage(&footprint, u, v) > 0.0 { share(&footprint, u, v) } else { 0.0 };
+                        let w = share * self::double(weight).at(footprint.q(u, v), 0.0);
+                        let (x, y) = (walked(wrap, x, n), walked(wrap, y, n));
+                        sum += w * f64::from(texture.texel(x, y)[0]);
+                        mass += w;
+                        texels += u64::from(share > 0.0);
+                    }
+                }
+                let filter = EllipseFilter { rim, padding, ..ellipse(weight) };
+                let sampler = Sampler::new(&pyramid, wrap, Method::Ellipse(filter)).unwrap();
+                let found = sampler.lookup_at(s, t, j, Level::Fixed(0));
+                if mass == 0.0 {
+                    assert!(found.fallback, "{rim:?} {j:?}");
+                    continue;
+                }
+                // The position's fraction is a float; a share may change by as much, and be 0 or not.
+                assert!((f64::from(found.value[0]) - sum / mass).abs() < 1e-4 * aspect, "{rim:?} {j:?}");
+                assert!(found.texels.abs_diff(texels) <= 1, "{rim:?} {j:?}: {} {texels}", found.texels);
+            }
+        }
     }
 }
 

@@ -549,9 +549,11 @@ fn bad_input_gets_one_line() {
     with(&["--conic", "fat"], "known are plain, padded");
     with(&["--axes", "short"], "known are conic, paper-vector, paper-conic");
     with(&["--rim", "soft"], "known are none, ");
-    with(&["--diameter", "3"], "3 is not in 1..=2");
+    with(&["--diameter", "3"], "known are 1, 2");
     with(&["--level", "4"], "--level 4: the image has levels 0 to 3");
-    with(&["--level", "-1"], "--level");
+    for level in ["-1", "1.5", "two", "99999999999999999999"] {
+        with(&["--level", level], "a level is a whole number, 0 for the image itself");
+    }
     refused(&["sample", path, "--at", "1,2"], "--jacobian");
     let wide = ["sample", path, "--at", "1,2", "--jacobian", "1e8,0,0,1e8", "--level", "0"];
     refused(&wide, "more than 2^28 texels");
@@ -563,15 +565,21 @@ fn bad_input_gets_one_line() {
         path.to_str().unwrap().to_owned()
     };
     let whole = std::fs::read(path).unwrap();
+    let mut spoilt = whole.clone();
+    spoilt[29] ^= 1; // the header's checksum
     for (image, names) in [
         ("/nonexistent.png".to_owned(), "/nonexistent.png: no such file"),
         (out.to_str().unwrap().to_owned(), "a folder, not a PNG file"),
         (file("empty.png", b""), "not a readable PNG"),
         (file("text.png", b"not a picture"), "not a readable PNG"),
+        (file("spoilt.png", &spoilt), "CRC error"),
         (file("cut.png", &whole[..whole.len() / 2]), "cut.png: not a readable PNG"),
     ] {
         refused(&["sample", &image, "--at", "1,2", "--jacobian", "1,0,0,1"], names);
     }
+    // Nothing of the decoder's own structs.
+    let dump = bellfit(&["sample", &file("spoilt.png", &spoilt), "--at", "1,2", "--jacobian", "1,0,0,1"]);
+    assert!(!String::from_utf8(dump.stderr).unwrap().contains('{'));
 }
 
 #[test]

@@ -10,10 +10,12 @@ mod png_file;
 mod references;
 
 use bellfit::filter::Wrap;
+use bellfit::kernel::pixel::PixelWeight;
 use bellfit::scene::{
     Camera, Comparison, Image, ImageError, Pattern, PictureError, References, Scene, SceneError, SceneFile,
     Technique, Transfer, View, decode_srgb, encode_srgb, near,
 };
+use bellfit::scene::{cut_deviation, weight_from_id, weight_ids};
 use draw::Draw;
 use png::{BitDepth, ColorType};
 use png_file::{folder, png_bytes};
@@ -417,7 +419,7 @@ fn scenes_out_of_their_domain_are_refused() {
         View::new(&scene).map(|_| ()).unwrap_err().to_string()
     };
     assert!(with(&|s| s.width = 15).contains("15 × 30"));
-    assert!(with(&|s| s.height = 2000).contains("16 to"));
+    assert!(with(&|s| s.height = 1025).ends_with("each side must be 16 to 1024"));
     for bad in [f64::NAN, f64::INFINITY, -1e9] {
         assert!(with(&|s| s.camera.height = bad).contains("camera height"));
         assert!(with(&|s| s.camera.pitch = bad).contains("camera pitch"));
@@ -457,6 +459,8 @@ fn scene_files_are_read_and_their_errors_placed() {
         ("width = 192", "width = 4", line_of("width"), "4 × 120"),
         ("\"repeat\" ", "\"tile\" ", line_of("wrap"), "unknown wrap \"tile\""),
         ("\"bilinear\"", "\"blurry\"", line_of("techniques"), "unknown technique \"blurry\""),
+        ("\"bilinear\", ", "\"trilinear\", ", line_of("techniques"), "technique \"trilinear\" twice"),
+        ("techniques = [", "techniques = [] # [", line_of("techniques"), "techniques is empty"),
         ("kind = \"checker\"", "kind = \"stripes\"", line_of("kind ="), "unknown kind \"stripes\""),
         ("kind = \"checker\"", "kind = \"zone-plate\"", line_of("square = 16"), "has no square"),
         ("square = 16", "", line_of("kind ="), "needs square"),
@@ -478,5 +482,36 @@ fn techniques_have_their_own_names() {
     assert_eq!(names.len(), all.len());
     for technique in &all {
         assert_eq!(Technique::from_id(&technique.id).as_ref(), Some(technique));
+    }
+}
+
+/// Against the plain sum over rings; √¼ of the second moment of a disc, and the whole bell's σ where the cut takes
+/// nothing.
+#[test]
+fn a_cut_weight_is_narrower() {
+    for id in weight_ids() {
+        for sigma in [0.1, 1.0 / 3.0, 0.5] {
+            let weight = match weight_from_id(&id, sigma).unwrap() {
+                PixelWeight::Gaussian(s) => PixelWeight::Gaussian(f64::from(s)),
+                PixelWeight::Bell(k, s) => PixelWeight::Bell(k, f64::from(s)),
+                PixelWeight::Cubic(k, s) => PixelWeight::Cubic(k, f64::from(s)),
+                PixelWeight::Paper(reading) => PixelWeight::Paper(reading),
+                PixelWeight::PaperProduct(reading) => PixelWeight::PaperProduct(reading),
+                PixelWeight::Box => PixelWeight::Box,
+            };
+            let (mut first, mut mass) = (0.0, 0.0);
+            for i in 0..200_000 {
+                let q = (f64::from(i) + 0.5) / 200_000.0;
+                let w = weight.at(q, 0.0);
+                (first, mass) = (first + q * w, mass + w);
+            }
+            let (found, expected) = (cut_deviation(weight), (0.5 * first / mass).sqrt());
+            assert!((found - expected).abs() < 1e-6, "{id} {sigma}: {found} {expected}");
+            assert!(found <= 0.5);
+            if let PixelWeight::Gaussian(s) = weight {
+                assert!(found < s + 1e-12);
+                assert!(s > 0.2 || s - found < 1e-12);
+            }
+        }
     }
 }

@@ -89,7 +89,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome> {
             timings.push(time_lookups(&View::new(scene)?, techniques, STRIDE, ROUNDS)?);
             done("times");
         }
-        let (files, lines) = measured_files(&compared, &timings, &machine())?;
+        let (files, lines) = measured_files(&compared, &timings, STRIDE, &machine())?;
         text.push_str(&lines);
         files
     } else {

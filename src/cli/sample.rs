@@ -16,7 +16,8 @@ use std::path::PathBuf;
   bellfit sample texture.png --at 10.5,20 --jacobian 3,1,-1,2 --weight paper-r1 --level 0
   bellfit sample texture.png --at -3,7.25 --jacobian 6,0,0,2 --method trilinear --wrap mirror --json
 
-Positions and derivatives are in texels of level 0, texel centres at +1/2. Printed values are linear light, a
+Positions and derivatives are in texels of level 0, texel centres at +1/2; so are the axes, those of the conic
+in level 0. A conic that holds no texel centre, as without area, is read bilinearly and says so (fallback). Printed values are linear light, a
 channel each: colours as the file has them, not multiplied by alpha.")]
 pub struct Arguments {
     /// The texture: a PNG file.
@@ -57,10 +58,10 @@ pub struct Arguments {
     rim: Option<Rim>,
     /// Diameter of the pixel's base: 2 pixels, the conic as the paper prints it, or 1, as its words say; 2 if
     /// not given.
-    #[arg(long, value_name = "D", value_parser = clap::value_parser!(u8).range(1..=2))]
+    #[arg(long, value_name = "D", allow_hyphen_values = true, value_parser = diameter)]
     diameter: Option<u8>,
     /// The mip level that is read, 0 the image itself; without it the method's own rule.
-    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = level)]
     level: Option<usize>,
     /// How the coarser levels are made: box or kaiser; box if not given.
     #[arg(long, value_name = "FILTER", value_parser = reduction)]
@@ -204,6 +205,14 @@ fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
     let read = |word: &str| word.trim().parse::<f64>().ok().filter(|x| x.abs() <= FAR).ok_or_else(problem);
     let numbers = text.split(',').map(read).collect::<Result<Vec<f64>, String>>()?;
     numbers.try_into().map_err(|_| problem())
+}
+
+fn level(word: &str) -> Result<usize, String> {
+    word.parse().map_err(|_| "a level is a whole number, 0 for the image itself".to_owned())
+}
+
+fn diameter(word: &str) -> Result<u8, String> {
+    known(word.parse().ok().filter(|d| (1..=2).contains(d)), ["1", "2"])
 }
 
 fn method(word: &str) -> Result<Kind, String> {

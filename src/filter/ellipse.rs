@@ -33,7 +33,8 @@ impl AxesKind {
     }
 }
 
-/// How texels on the ellipse's rim count: readings of "in proportion to the area the ellipse cuts off".
+/// How texels on the ellipse's rim count: readings of "in proportion to the area the ellipse cuts off". A texel
+/// whose square the ellipse does not touch counts in none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Rim {
     /// Whole where Q ≤ 1 at the centre, not at all elsewhere.

@@ -3,12 +3,7 @@
 use super::placed::Placed;
 use super::scan::Sum;
 use super::{Rim, Texture, Wrap};
-use crate::kernel::pixel::{Footprint, Frame, PixelWeight};
-
-/// The pixel's volume beyond a line at distance d from its centre, P(d) = 0.5 - d (2.151 - 2.358 d).
-fn volume(d: f64) -> f64 {
-    0.5 - d * (2.151 - 2.358 * d)
-}
+use crate::kernel::pixel::{Footprint, Frame, PixelWeight, Tangent, clip_volume_paper, coverage, half_plane};
 
 /// The weight in double precision.
 fn double(weight: PixelWeight<f32>) -> PixelWeight<f64> {
@@ -29,6 +24,29 @@ fn frame(footprint: &Footprint<f64>, tilt: Option<f64>) -> Frame<f64> {
     let (sin, cos) = (libm::sin(tilt), libm::cos(tilt));
     let major = (uu * cos * cos + 2.0 * uv * cos * sin + vv * sin * sin).sqrt();
     Frame { cos, sin, major, minor: footprint.determinant.sqrt() / major }
+}
+
+/// What a texel counts that the ellipse touches. The tangent alone would let others count too: beside a thin
+/// ellipse's end its distance, of first order, is far too small.
+fn touched(footprint: &Footprint<f64>, rim: Rim, u: f64, v: f64) -> f64 {
+    let area = coverage(footprint, u, v);
+    match rim {
+        _ if area <= 0.0 => 0.0,
+        Rim::None | Rim::Area => area,
+        Rim::HalfPlane => half_plane(footprint, u, v),
+        Rim::Volume => volume(Tangent::of(footprint, u, v).distance),
+    }
+}
+
+/// What a texel counts whose centre is `distance` inside the rim, by P(d) in place of the area: the paper gives
+/// P for d from 0 to ½.
+fn volume(distance: f64) -> f64 {
+    match distance {
+        d if d >= 0.5 => 1.0,
+        d if d >= 0.0 => 1.0 - clip_volume_paper(d),
+        d if d > -0.5 => clip_volume_paper(-d),
+        _ => 0.0,
+    }
 }
 
 /// Sums over every texel that the rim lets count.
@@ -61,17 +79,10 @@ pub(super) fn careful(
         let right = (from * lean).max(to * lean) + reach + border;
         for i in (fx - 0.5 + left).ceil() as i64..=(fx - 0.5 + right).floor() as i64 {
             let u = i as f64 + 0.5 - fx;
-            let q = footprint.q(u, v);
-            let share = match rim {
-                Rim::None => f64::from(u8::from(q <= 1.0)),
-                Rim::Area => area(&frame, u, v),
-                Rim::HalfPlane => half_plane(footprint, q, u, v),
-                Rim::Volume => match distance(footprint, q, u, v).0 {
-                    d if d >= 0.5 => 1.0,
-                    d if d >= 0.0 => 1.0 - volume(d),
-                    d if d > -0.5 => volume(-d),
-                    _ => 0.0,
-                },
+            let share = if rim == Rim::None {
+                f64::from(u8::from(footprint.q(u, v) <= 1.0))
+            } else {
+                touched(footprint, rim, u, v)
             };
             if share <= 0.0 {
                 continue;
@@ -87,68 +98,4 @@ pub(super) fn careful(
         }
     }
     sum
-}
-
-/// The centre's distance from the rim to first order, positive inside, (1 - √Q)/|∇√Q|, and the normal.
-fn distance(footprint: &Footprint<f64>, q: f64, u: f64, v: f64) -> (f64, f64, f64) {
-    let Footprint { uu, uv, vv, determinant } = *footprint;
-    // ½ ∇Q
-    let (gu, gv) = ((vv * u - uv * v) / determinant, (uu * v - uv * u) / determinant);
-    let length = gu.hypot(gv);
-    if length == 0.0 {
-        return (f64::INFINITY, 1.0, 0.0); // the middle
-    }
-    let root = q.sqrt();
-    ((1.0 - root) * root / length, gu / length, gv / length)
-}
-
-/// Area of the unit square on the inner side of the rim's tangent.
-fn half_plane(footprint: &Footprint<f64>, q: f64, u: f64, v: f64) -> f64 {
-    let (d, nu, nv) = distance(footprint, q, u, v);
-    // The square's shadow along the normal is a trapezoid of area 1: b wide at its foot, a at its top.
-    let (a, b) = (nu.abs().min(nv.abs()), nu.abs().max(nv.abs()));
-    let (short, long) = (0.5 * (b - a), 0.5 * (b + a));
-    let x = d.abs();
-    let beyond = if x >= long {
-        0.0
-    } else if x <= short {
-        0.5 - x / b
-    } else {
-        (long - x) * (long - x) / (2.0 * a * b)
-    };
-    if d >= 0.0 { 1.0 - beyond } else { beyond }
-}
-
-/// Exact area of the unit square around (u, v) inside the ellipse: of its image inside the unit circle.
-fn area(frame: &Frame<f64>, u: f64, v: f64) -> f64 {
-    let corner = |du: f64, dv: f64| frame.coordinates(u + du, v + dv);
-    let corners = [corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-    // All inside, as the ellipse is convex.
-    if corners.iter().all(|&(x, y)| x * x + y * y <= 1.0) {
-        return 1.0;
-    }
-    let sectors: f64 = (0..4).map(|i| edge(corners[i], corners[(i + 1) % 4])).sum();
-    sectors.abs() * frame.major * frame.minor
-}
-
-/// Signed area of the triangle (0, p, q) inside the unit circle.
-fn edge(p: (f64, f64), q: (f64, f64)) -> f64 {
-    let sector =
-        |a: (f64, f64), b: (f64, f64)| 0.5 * libm::atan2(a.0 * b.1 - a.1 * b.0, a.0 * b.0 + a.1 * b.1);
-    let triangle = |a: (f64, f64), b: (f64, f64)| 0.5 * (a.0 * b.1 - a.1 * b.0);
-    let (dx, dy) = (q.0 - p.0, q.1 - p.1);
-    // |p + t (q - p)|² = 1
-    let (a, b, c) = (dx * dx + dy * dy, p.0 * dx + p.1 * dy, p.0 * p.0 + p.1 * p.1 - 1.0);
-    let discriminant = b * b - a * c;
-    if discriminant <= 0.0 {
-        return sector(p, q);
-    }
-    let root = discriminant.sqrt();
-    let (from, to) = (((-b - root) / a).clamp(0.0, 1.0), ((-b + root) / a).clamp(0.0, 1.0));
-    let at = |t: f64| (p.0 + t * dx, p.1 + t * dy);
-    if from >= to {
-        return sector(p, q);
-    }
-    let (r, s) = (at(from), at(to));
-    sector(p, r) + triangle(r, s) + sector(s, q)
 }

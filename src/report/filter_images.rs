@@ -52,7 +52,7 @@ const SHOWN: [(&str, &str); 7] = [
     ("gaussian-half", "σ = ½, plain"),
     ("paper-r1", "paper's weight R1, plain"),
     ("paper-r4", "paper's weight R4, plain"),
-    ("gaussian-half-padded-conic-tilt", "σ = ½, paper's axes"),
+    ("gaussian-half-padded-conic-tilt", "σ = ½ padded, paper's axes"),
 ];
 const COLUMNS: usize = 4;
 const LABEL: usize = 16;

@@ -1,8 +1,8 @@
 //! The report's part on texture filters.
 
 use super::number::short;
-use crate::kernel::pixel::PaperReading;
-use crate::scene::{Compared, Comparison};
+use crate::kernel::pixel::{PaperReading, PixelWeight};
+use crate::scene::{Compared, Comparison, cut_deviation};
 use std::fmt::Write;
 
 /// The pictures' table, the pictures, and what they show.
@@ -10,11 +10,11 @@ pub(super) fn section(comparisons: &[Comparison], text: &mut String) {
     text.push_str(
         "\n## Texture filters, seen\n\n\
          A textured plane by every filter against a supersampled reference (`fits/filter.csv`; `bellfit render` shows any \
-         scene and image). The references: *Gaussian*, the weight exp(-2 r²) of renderers (σ = ½ pixel: P. S. Heckbert, 1989; \
-         M. Pharr, W. Jakob, G. Humphreys, \"Physically Based Rendering\", 3rd ed., 10.4.5), and *area*, the mean over the \
+         scene and image). The references: *Gaussian*, the weight exp(-2 r²), σ = ½ pixel, to where it is 4e-6, and *area*, the mean over the \
          pixel's square; both of the same samples, the texture bilinear between its texels. RMSE in linear light, peak 1; \
          *ssim2* is SSIMULACRA 2 (100: equal). *Gain* is how much of the reference's contrast a picture keeps, above 1 \
-         sharper; *alien* the root mean square of what is not in the reference, which is aliasing.\n\n\
+         sharper; *alien* the root mean square of what gain × reference leaves: aliasing, and contrast that is kept unequally, as a \
+         blur does at edges.\n\n\
          These are measurements of pictures, not proofs.",
     );
     certainty(comparisons, text);
@@ -55,11 +55,11 @@ fn table(comparison: &Comparison, text: &mut String) {
     let _ = write!(
         text,
         "\n### Scene {name}\n\n![{name}: the reference and seven filters](images/{name}.png)\n\n\
-         *Differences from the reference, four times as strong, grey where there is none:*\n\n\
+         *Differences from the reference, four times as strong, grey where there is none, black and white from 1/8 on:*\n\n\
          ![{name}: differences of seven filters](images/{name}-difference.png)\n\n\
          Sampling error of the references, estimated from half sets: {} (Gaussian) and {} (area).\n\n\
-         | technique | RMSE, Gaussian | ssim2 | gain | alien | RMSE, area | ssim2 | texels, mean | most |\n\
-         |---|---|---|---|---|---|---|---|---|\n",
+         | technique | RMSE, Gaussian | PSNR, dB | ssim2 | gain | alien | RMSE, area | PSNR, dB | ssim2 | texels, mean | most |\n\
+         |---|---|---|---|---|---|---|---|---|---|---|\n",
         short2(references.gaussian.sampling_error),
         short2(references.area.sampling_error)
     );
@@ -67,13 +67,15 @@ fn table(comparison: &Comparison, text: &mut String) {
         let Compared { technique, gaussian, area, mean_texels, largest_texels, .. } = row;
         let _ = writeln!(
             text,
-            "| {} | {:.4} | {:.1} | {:.3} | {:.4} | {:.4} | {:.1} | {mean_texels:.1} | {largest_texels} |",
+            "| {} | {:.4} | {:.1} | {:.1} | {:.3} | {:.4} | {:.4} | {:.1} | {:.1} | {mean_texels:.1} | {largest_texels} |",
             technique.id,
             gaussian.rmse,
+            gaussian.psnr,
             gaussian.perceptual,
             gaussian.gain,
             gaussian.alien,
             area.rmse,
+            area.psnr,
             area.perceptual
         );
     }
@@ -95,9 +97,14 @@ fn sigma(comparisons: &[Comparison], text: &mut String) {
     let alien = |id| each(comparisons, id, |row| row.gaussian.alien, 3);
     let _ = writeln!(
         text,
-        "- **Sharper, and aliasing.** Q = 1 is the circle of radius 1 pixel, so P4's σ = L/6 is 1/3 pixel, and 1/6 with base \
-         diameter 1, where renderers take ½. Padded, so that the weight alone counts, the gain with σ = 1/3 is {} against {} \
-         with ½; the alien part {} against {}. Plain, with base diameter 1, it is {}.",
+        "- **Sharper.** Q = 1 is the circle of radius 1 pixel, so P4's σ = L/6 is 1/3 pixel, and 1/6 with base diameter 1; \
+         renderers take exp(-2 Q), σ = ½ (P. S. Heckbert, 1989; M. Pharr, W. Jakob, G. Humphreys, \"Physically Based \
+         Rendering\", 3rd ed., 10.4.5, which subtracts e^-2 besides). All end at Q = 1, which narrows the wide ones: as cut \
+         the deviation is {} pixel for 1/3 and {} for ½. Padded, so that the weight alone counts, the gain with σ = 1/3 is {} \
+         against {} with ½; the alien part, in which the zone plate's false rings show, {} against {}. Plain, with base \
+         diameter 1, the alien part is {}.",
+        short(cut_deviation(PixelWeight::Gaussian(1.0 / 3.0))),
+        short(cut_deviation(PixelWeight::Gaussian(0.5))),
         gain("gaussian-third-padded"),
         gain("gaussian-half-padded"),
         alien("gaussian-third-padded"),
@@ -118,14 +125,16 @@ fn sigma(comparisons: &[Comparison], text: &mut String) {
 
 fn readings(comparisons: &[Comparison], text: &mut String) {
     text.push_str(
-        "- **R1 to R4** of the paper's weight (1 - c Q)^8 stand for σ = 1/(4 √c), cut off at Q = 1:",
+        "- **R1 to R4** of the paper's weight (1 - c Q)^8 stand for σ = 1/(4 √c); cut off at Q = 1, as they are, their \
+         deviation is less:",
     );
     for (i, reading) in PaperReading::ALL.into_iter().enumerate() {
         let id = format!("paper-r{}", i + 1);
         let sigma = 0.25 / reading.scale::<f64>().sqrt();
         let rmse = each(comparisons, &id, |row| row.gaussian.rmse, 4);
+        let cut = cut_deviation(PixelWeight::Paper(reading));
         let end = if i + 1 == PaperReading::ALL.len() { "." } else { ";" };
-        let _ = write!(text, " R{} {} pixel, RMSE {rmse}{end}", i + 1, short(sigma));
+        let _ = write!(text, " R{} {} pixel, cut {}, RMSE {rmse}{end}", i + 1, short(sigma), short(cut));
     }
     let change = comparisons.iter().flat_map(|c| {
         (1..=4).filter_map(|i| {

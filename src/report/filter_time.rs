@@ -28,13 +28,14 @@ fn tenth(x: f64) -> f64 {
 }
 
 /// The files of `bellfit render --measure`: `filter-<machine>.csv` and, of the last measurement, `filter.md` and
-/// the plot of error against time; and the table for the terminal.
+/// the plot of error against time; and the table for the terminal. Every `stride`-th pixel was timed.
 ///
 /// # Errors
 /// [`ArtifactError`] if one cannot be made.
 pub fn measured_files(
     comparisons: &[Comparison],
     timings: &[Vec<Timing>],
+    stride: usize,
     machine: &str,
 ) -> Result<(Artifacts, String), ArtifactError> {
     let mut lines = Vec::new();
@@ -54,7 +55,7 @@ pub fn measured_files(
             });
         }
     }
-    let (mut report, mut terminal) = (head(machine), String::new());
+    let (mut report, mut terminal) = (head(machine, stride, wander(timings)), String::new());
     for line in &lines {
         let Line { scene, technique, nanoseconds, least, most, mean_texels, gaussian_rmse, .. } = line;
         let _ = writeln!(
@@ -77,11 +78,17 @@ pub fn measured_files(
     Ok((files, terminal))
 }
 
-fn head(machine: &str) -> String {
+/// The largest median by its fastest round.
+fn wander(timings: &[Vec<Timing>]) -> f64 {
+    timings.iter().flatten().map(|timing| timing.nanoseconds / timing.least).fold(1.0, f64::max)
+}
+
+fn head(machine: &str, stride: usize, wander: f64) -> String {
     format!(
         "# Time of a texture lookup\n\n\
          Measured once by `bellfit render --measure` on one thread of: {machine}. Medians over interleaved rounds of the \
-         mean over the picture's pixels; ratios below 1.4 mean little. Never measured again by `bellfit reproduce`, nor \
+         mean over every {stride}th pixel of the plane; texels and RMSE are of all. A median is up to {wander:.2} times its \
+         fastest round here, so ratios below that mean little. Never measured again by `bellfit reproduce`, nor \
          compared.\n\n\
          ![Error against time a lookup](filter-time.png)\n\n\
          | scene | technique | ns a lookup | fastest to slowest round | texels, mean | RMSE, Gaussian reference |\n\

@@ -16,8 +16,8 @@ pub struct PictureError {
     /// How much of the reference's contrast the picture keeps: cov(picture, reference)/var(reference) over
     /// the pixels that count. Above 1: sharper than the reference; below: more blurred.
     pub gain: f64,
-    /// What the picture shows that is not in the reference: root mean square of picture less gain ×
-    /// reference, about its mean. Aliasing, mostly.
+    /// What one gain does not explain: root mean square of picture less gain × reference, about its mean.
+    /// Aliasing, and contrast that is kept unequally over the frequencies, as any blur does.
     pub alien: f64,
 }
 

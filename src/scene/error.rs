@@ -14,7 +14,7 @@ pub enum SceneError {
     #[error(transparent)]
     Filter(#[from] FilterError),
     /// A picture side out of its domain.
-    #[error("picture of {width} × {height} pixels: each side must be 16 to 2048")]
+    #[error("picture of {width} × {height} pixels: each side must be 16 to 1024")]
     Size {
         /// As given.
         width: usize,

@@ -47,7 +47,7 @@ struct RawFile {
     version: Spanned<u32>,
     width: Spanned<usize>,
     height: usize,
-    techniques: Option<Vec<Spanned<String>>>,
+    techniques: Option<Spanned<Vec<Spanned<String>>>>,
     camera: Spanned<RawCamera>,
     plane: Spanned<RawPlane>,
     texture: RawTexture,
@@ -106,8 +106,15 @@ impl SceneFile {
         }
         let texture_at = raw.texture.kind.span().start;
         let pattern = raw.texture.pattern(folder).map_err(|(at, message)| place(at, message))?;
-        let mut techniques = Vec::new();
-        for name in raw.techniques.iter().flatten() {
+        let mut techniques: Vec<Technique> = Vec::new();
+        if let Some(list) = raw.techniques.as_ref().filter(|list| list.get_ref().is_empty()) {
+            let message = "techniques is empty: leave the line out to have all of them".to_owned();
+            return Err(place(list.span().start, message));
+        }
+        for name in raw.techniques.iter().flat_map(Spanned::get_ref) {
+            if techniques.iter().any(|known| known.id == *name.get_ref()) {
+                return Err(place(name.span().start, format!("technique \"{}\" twice", name.get_ref())));
+            }
             techniques.push(Technique::from_id(name.get_ref()).ok_or_else(|| {
                 let known: Vec<String> = Technique::all().into_iter().map(|t| t.id).collect();
                 let message =

@@ -131,7 +131,9 @@ impl Image {
     /// [`ImageError::Decode`] or [`ImageError::TooLarge`].
     pub fn decode(bytes: &[u8], transfer: Transfer) -> Result<Self, ImageError> {
         let fail = |error: png::DecodingError| {
-            ImageError::Decode(error.to_string().split_whitespace().collect::<Vec<_>>().join(" "))
+            let text = error.to_string().split_whitespace().collect::<Vec<_>>().join(" ");
+            // What follows is a dump of the decoder's own struct.
+            ImageError::Decode(text.split(" while decoding ").next().unwrap_or(&text).to_owned())
         };
         // Room for the largest image of 8 bytes a pixel; the size itself is checked before any is taken.
         let limits = png::Limits { bytes: 9 * Image::LARGEST as usize };

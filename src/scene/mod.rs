@@ -49,4 +49,4 @@ pub use technique::Technique;
 pub use timing::{Timing, time_lookups};
 pub use transfer::{Transfer, decode_srgb, encode_srgb};
 pub use view::{Rendered, View, near};
-pub use weight::{weight_from_id, weight_ids, weight_sigma};
+pub use weight::{cut_deviation, weight_from_id, weight_ids, weight_sigma};

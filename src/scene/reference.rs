@@ -45,8 +45,8 @@ pub struct References {
     /// The mean over the pixel's square.
     pub area: Reference,
     /// Weighted by exp(-2 r²), r in pixels from the middle: a Gaussian with σ = ½ pixel, cut off the square
-    /// of 5 × 5 pixels (below 4e-6 of its peak). What P. S. Heckbert's elliptical filter is used with in
-    /// renderers: M. Pharr, W. Jakob, G. Humphreys, "Physically Based Rendering", 3rd ed., 10.4.5, α = 2.
+    /// of 5 × 5 pixels (below 4e-6 of its peak). Renderers cut the same weight at r = 1 (M. Pharr, W. Jakob,
+    /// G. Humphreys, "Physically Based Rendering", 3rd ed., 10.4.5, α = 2, and subtract what it is there).
     pub gaussian: Reference,
 }
 

@@ -1,5 +1,6 @@
 //! Pixel weights by name.
 
+use crate::integral::GaussLegendre;
 use crate::kernel::pixel::{PaperReading, PixelWeight};
 
 /// Powers of Lyon's bell and of the cubic one.
@@ -55,4 +56,25 @@ pub fn weight_sigma(weight: PixelWeight<f32>) -> Option<f32> {
         }
         PixelWeight::Paper(_) | PixelWeight::PaperProduct(_) | PixelWeight::Box => None,
     }
+}
+
+/// The standard deviation along either axis of a weight of Q alone, cut off at Q = 1 as the filter cuts it, in
+/// semi-axes: √(½ ∫ Q w dQ/∫ w dQ) over [0, 1], as u² and v² are Q/2 in the mean.
+///
+/// [`weight_sigma`] is that of the whole bell. Accuracy: 1e-6, by a sum over 200000 rings; 64 intervals of 16 nodes
+/// of Gauss and Legendre, as a bell may end inside. A product is not of Q alone: its values along the major axis
+/// count.
+///
+/// ```
+/// use bellfit::{kernel::pixel::PixelWeight, scene::cut_deviation};
+/// assert!((cut_deviation(PixelWeight::Box) - 0.5).abs() < 1e-14); // a uniform disc's: radius/2
+/// // ∫ Q e^(-2Q) dQ/∫ e^(-2Q) dQ = ½ - 1/(e² - 1)
+/// let half = (0.5 * (0.5 - 1.0 / (libm::exp(2.0) - 1.0))).sqrt();
+/// assert!((cut_deviation(PixelWeight::Gaussian(0.5)) - half).abs() < 1e-14);
+/// ```
+pub fn cut_deviation(weight: PixelWeight<f64>) -> f64 {
+    let rule = GaussLegendre::new(16);
+    let edge = |i: u32| f64::from(i) / 64.0;
+    let over = |f: &dyn Fn(f64) -> f64| (0..64).map(|i| rule.integrate(f, edge(i), edge(i + 1))).sum::<f64>();
+    (0.5 * over(&|q| q * weight.at(q, 0.0)) / over(&|q| weight.at(q, 0.0))).sqrt()
 }
