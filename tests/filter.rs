@@ -208,7 +208,7 @@ fn the_box_keeps_the_mean_and_levels_halve() {
         let texture = random(&mut draw, width, height, 2);
         let pyramid = pyramid(texture);
         let mean = |level: &Texture, c: usize| {
-            let plane = level.plane(c);
+            let plane: Vec<f32> = level.channel(c).collect();
             plane.iter().map(|&x| f64::from(x)).sum::<f64>() / plane.len() as f64
         };
         let (mut w, mut h) = (width, height);
@@ -236,7 +236,7 @@ fn reduced_gain(reduction: Reduction, frequency: f64) -> f64 {
     // Far from the edges, where nothing is clamped.
     for x in 24..2024 {
         let wave = libm::cos(2.0 * omega * (x as f64 + 0.5 - 1024.0));
-        product += wave * f64::from(pyramid.level(1).plane(0)[x]);
+        product += wave * f64::from(pyramid.level(1).texels()[x]);
         square += wave * wave;
     }
     product / square
@@ -416,9 +416,9 @@ fn mirrored_is_the_same_to_the_texel() {
     let mut draw = Draw(6);
     let n = 48;
     let texture = random(&mut draw, n, n, 1);
-    let mirrored: Vec<f32> = (0..n * n).map(|i| texture.plane(0)[(i / n) * n + (n - 1 - i % n)]).collect();
-    let transposed: Vec<f32> = (0..n * n).map(|i| texture.plane(0)[(i % n) * n + i / n]).collect();
-    let pyramids = [texture.plane(0).to_vec(), mirrored, transposed]
+    let mirrored: Vec<f32> = (0..n * n).map(|i| texture.texels()[(i / n) * n + (n - 1 - i % n)]).collect();
+    let transposed: Vec<f32> = (0..n * n).map(|i| texture.texels()[(i % n) * n + i / n]).collect();
+    let pyramids = [texture.texels().to_vec(), mirrored, transposed]
         .map(|values| pyramid(Texture::new(n, n, 1, &values).unwrap()));
     for i in 0..400 {
         // Every other time a circle with Pythagorean triples on its rim, around a texel's centre.
@@ -488,8 +488,8 @@ fn linear_in_the_texture_and_the_weights_sum_to_one() {
     let mut draw = Draw(8);
     let (w, h) = (11, 9);
     let (a, b) = (random(&mut draw, w, h, 1), random(&mut draw, w, h, 1));
-    let sum: Vec<f32> = a.plane(0).iter().zip(b.plane(0)).map(|(a, b)| 0.5 * a - 2.0 * b).collect();
-    let pyramids = [a.plane(0).to_vec(), b.plane(0).to_vec(), sum]
+    let sum: Vec<f32> = a.texels().iter().zip(b.texels()).map(|(a, b)| 0.5 * a - 2.0 * b).collect();
+    let pyramids = [a.texels().to_vec(), b.texels().to_vec(), sum]
         .map(|values| pyramid(Texture::new(w, h, 1, &values).unwrap()));
     for wrap in Wrap::ALL {
         for weight in weights() {

@@ -63,4 +63,12 @@ pub enum FilterError {
         /// As given.
         cover: f32,
     },
+    /// Slices of different lengths.
+    #[error("{pixels} pixels, but room for {lookups} lookups: must be the same")]
+    Slices {
+        /// Given.
+        pixels: usize,
+        /// Given.
+        lookups: usize,
+    },
 }

@@ -19,14 +19,19 @@
 
 mod bilinear;
 mod ellipse;
+mod elliptical;
 mod error;
+mod gathered;
 mod placed;
+mod plan;
 mod pyramid;
 mod reduction;
 mod rim;
 mod sampler;
 mod scan;
+mod shape;
 mod texture;
+mod walk;
 mod weight;
 mod wrap;
 
@@ -34,6 +39,6 @@ pub use ellipse::{AxesKind, EllipseFilter, Rim};
 pub use error::FilterError;
 pub use pyramid::Pyramid;
 pub use reduction::Reduction;
-pub use sampler::{Level, Lookup, Method, Sampler};
+pub use sampler::{Level, Lookup, Method, Pixel, Sampler};
 pub use texture::Texture;
 pub use wrap::Wrap;

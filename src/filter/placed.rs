@@ -1,93 +1,13 @@
-//! The ellipse under a pixel: its shape in level 0, and its place in a level.
+//! The ellipse under a pixel in its place in a level.
 
-use super::{AxesKind, EllipseFilter};
-use crate::kernel::pixel::{Axes, Footprint, Jacobian, Padding, TiltFormula};
+use super::Texture;
+use super::gathered::LANES;
+use super::walk::ROWS;
+use crate::kernel::pixel::Footprint;
 
-/// An ellipse in texels of level 0, not padded; in double precision, where squares of `f32` are
-/// exact and nothing leaves the range.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Shape {
-    pub footprint: Footprint<f64>,
-    /// Direction of the paper's first axis, where the ellipse is the paper's.
-    pub tilt: Option<f64>,
-}
-
-impl Shape {
-    #[inline(always)]
-    pub fn of(j: Jacobian<f32>, filter: &EllipseFilter) -> Shape {
-        let j =
-            Jacobian { ux: f64::from(j.ux), vx: f64::from(j.vx), uy: f64::from(j.uy), vy: f64::from(j.vy) };
-        let (footprint, tilt) = match filter.axes {
-            AxesKind::True => {
-                // Both products are exact.
-                let determinant = j.ux * j.vy - j.uy * j.vx;
-                let footprint = Footprint {
-                    uu: j.ux * j.ux + j.uy * j.uy,
-                    uv: j.ux * j.vx + j.uy * j.vy,
-                    vv: j.vx * j.vx + j.vy * j.vy,
-                    determinant: determinant * determinant,
-                };
-                (footprint, None)
-            }
-            AxesKind::Paper(formula) => paper(j, formula),
-        };
-        Shape { footprint, tilt }
-    }
-
-    /// The semi-axes, squared: the longer, the shorter.
-    #[inline(always)]
-    pub fn axes(&self) -> [f64; 2] {
-        let Footprint { uu, uv, vv, determinant } = self.footprint;
-        let half = 0.5 * (uu - vv);
-        let major = 0.5 * (uu + vv) + (half * half + uv * uv).sqrt();
-        [major, if major > 0.0 { determinant / major } else { 0.0 }]
-    }
-
-    /// With the minor axis raised to major/limit where it is shorter; and the square of the minor axis.
-    #[inline(always)]
-    pub fn limited(mut self, limit: f64) -> (Shape, f64) {
-        let [major, minor] = self.axes();
-        let least = major / (limit * limit);
-        if minor >= least {
-            return (self, minor);
-        }
-        // M' = (1 - ρ) M + ρ major I has the same axes and the eigenvalues major and `least`.
-        let Footprint { uu, uv, vv, .. } = self.footprint;
-        let rho = (least - minor) / (major - minor);
-        self.footprint = Footprint {
-            uu: uu + rho * (major - uu),
-            uv: uv - rho * uv,
-            vv: vv + rho * (major - vv),
-            determinant: major * least,
-        };
-        (self, least)
-    }
-
-    /// In a level whose sides are `ratio` times those of level 0, padded there if asked to.
-    #[inline(always)]
-    pub fn in_level(&self, ratio: [f64; 2], padding: Padding) -> Footprint<f64> {
-        let Footprint { uu, uv, vv, determinant } = self.footprint;
-        let [x, y] = ratio;
-        let (uu, uv, vv) = (uu * x * x, uv * x * y, vv * y * y);
-        let determinant = determinant * (x * y) * (x * y);
-        match padding {
-            Padding::Plain => Footprint { uu, uv, vv, determinant },
-            Padding::Padded => {
-                Footprint { uu: uu + 1.0, uv, vv: vv + 1.0, determinant: determinant + uu + vv + 1.0 }
-            }
-        }
-    }
-}
-
-#[cold]
-fn paper(j: Jacobian<f64>, formula: TiltFormula) -> (Footprint<f64>, Option<f64>) {
-    let axes = Axes::paper(j, formula);
-    // 0/0: a circle, or a vector of length 0; any direction does.
-    let tilt = if axes.tilt.is_nan() { 0.0 } else { axes.tilt };
-    (Footprint::along(&Axes { tilt, ..axes }.frame()), Some(tilt))
-}
-
-/// An ellipse in a level.
+/// An ellipse in a level, and the texels that it may hold.
+///
+/// With M = [[a, b], [b, c]] and d = det M, Q = v²/c + (c/d) (u - v b/c)²: no root and no division a row.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Placed {
     /// The texel that holds the middle.
@@ -96,37 +16,93 @@ pub(super) struct Placed {
     pub fraction: [f32; 2],
     /// The ellipse.
     pub footprint: Footprint<f64>,
+    /// c/d.
+    pub curvature: f32,
+    /// b/c.
+    pub slope: f32,
+    /// 1/c.
+    pub inverse: f32,
+    /// First column and row that may hold a texel of it, counted from the middle's.
+    pub first: [i32; 2],
+    /// Last ones.
+    pub last: [i32; 2],
 }
 
 impl Placed {
+    /// To be written over.
+    pub const NONE: Placed = Placed {
+        texel: [0; 2],
+        fraction: [0.0; 2],
+        footprint: Footprint { uu: 0.0, uv: 0.0, vv: 0.0, determinant: 0.0 },
+        curvature: 0.0,
+        slope: 0.0,
+        inverse: 0.0,
+        first: [0; 2],
+        last: [0; 2],
+    };
+
     #[inline(always)]
     pub fn new([s, t]: [f64; 2], footprint: Footprint<f64>) -> Placed {
         /// Adding it leaves a whole number up to 2⁵¹ in the last bits.
         const WHOLE: f64 = 6_755_399_441_055_744.0;
         let (x, y) = (s.floor(), t.floor());
-        let texel = [x, y].map(|x| (x + WHOLE).to_bits().wrapping_sub(WHOLE.to_bits()) as i64);
-        Placed { texel, fraction: [(s - x) as f32, (t - y) as f32], footprint }
+        let whole = |x: f64| (x + WHOLE).to_bits().wrapping_sub(WHOLE.to_bits()) as i64;
+        let texel = [whole(x), whole(y)];
+        let (fu, fv) = ((s - x) as f32, (t - y) as f32);
+        // Of an ellipse thinner than 10⁻³⁸: still 0 times it is 0.
+        let single = |x: f64| x.min(f64::from(f32::MAX)) as f32;
+        let Footprint { uu, uv, vv, determinant } = footprint;
+        let inverse = 1.0 / vv;
+        let (left, right) = texels(uu, fu);
+        let (top, bottom) = texels(vv, fv);
+        Placed {
+            texel,
+            fraction: [fu, fv],
+            footprint,
+            curvature: single(vv / determinant),
+            slope: (uv * inverse) as f32,
+            inverse: single(inverse),
+            first: [left, top],
+            last: [right, bottom],
+        }
+    }
+
+    /// Whether all that is read lies in the level, or behind it in memory.
+    #[inline(always)]
+    pub fn is_inside(&self, level: &Texture) -> bool {
+        let Placed { texel, first, last, .. } = *self;
+        texel[0] + i64::from(first[0]) >= 0
+            && texel[0] + i64::from(last[0]) < level.width() as i64
+            && texel[1] + i64::from(first[1]) >= 0
+            && texel[1] + i64::from(last[1]) < level.height() as i64
+    }
+
+    /// The first texel, if one strip inside the level holds all.
+    #[inline(always)]
+    pub fn strip(&self, level: &Texture) -> Option<usize> {
+        let Placed { texel, first, last, .. } = *self;
+        if last[0] - first[0] >= LANES as i32 || last[1] - first[1] >= ROWS || !self.is_inside(level) {
+            return None;
+        }
+        let [x, y] = [0, 1].map(|i| (texel[i] + i64::from(first[i])) as usize);
+        Some(y * level.width() + x)
     }
 }
 
-/// Most texels that one lookup in one level may have to look at.
-const MOST: f64 = (1u64 << 28) as f64;
-/// Longest half width and half height: whole numbers and halves are exact in `f32`.
-const FARTHEST: f64 = (1u64 << 21) as f64;
-
-/// Whether the ellipse is small enough to be read texel by texel: 2²⁸ texels, 2²¹ to either side.
+/// First and last k that hold every k with (k + ½ - fraction)² ≤ square.
 #[inline(always)]
-pub(super) fn is_readable(footprint: &Footprint<f64>) -> bool {
-    // Below 4096 to either side without a closer look; a line has nothing to read.
-    footprint.uu + footprint.vv < f64::from(1 << 24)
-        || footprint.determinant == 0.0
-        || is_readable_in_full(footprint)
+fn texels(square: f64, fraction: f32) -> (i32, i32) {
+    let half = (square as f32).sqrt();
+    // Offsets are rounded to 2⁻²² of the end, Q's terms to as much of theirs.
+    let reach = half + (1e-5 + 1e-5 * half);
+    let middle = fraction - 0.5;
+    (-down(reach - middle), down(reach + middle))
 }
 
-#[cold]
-fn is_readable_in_full(footprint: &Footprint<f64>) -> bool {
-    let (width, height) = footprint.bounds();
-    // The longest row; eight are looked at together.
-    let row = 2.0 * (footprint.determinant / footprint.vv).sqrt() + 8.0;
-    width <= FARTHEST && height <= FARTHEST && (2.0 * height + 2.0) * row <= MOST
+/// The whole number below x, or x itself or one less where it is one; |x| < 2²².
+#[inline(always)]
+pub(super) fn down(x: f32) -> i32 {
+    /// Adding it leaves the nearest whole number in the last bits.
+    const ROUND: f32 = 12_582_912.0;
+    ((x - 0.5) + ROUND).to_bits().wrapping_sub(ROUND.to_bits()) as i32
 }

@@ -14,8 +14,8 @@ use super::{Reduction, Texture, Wrap};
 /// let row = Texture::new(5, 1, 1, &[0.0, 0.0, 3.0, 6.0, 1.0])?;
 /// let pyramid = Pyramid::new(row, Reduction::Box, Wrap::Clamp);
 /// assert_eq!(pyramid.levels(), 3); // 5, 2 and 1 texels
-/// assert_eq!(pyramid.level(1).plane(0), [0.6, 3.4]); // (0 + 0 + 3/2)/2.5 and (3/2 + 6 + 1)/2.5
-/// assert_eq!(pyramid.level(2).plane(0), [2.0]);
+/// assert_eq!(pyramid.level(1).texels(), [0.6, 3.4]); // (0 + 0 + 3/2)/2.5 and (3/2 + 6 + 1)/2.5
+/// assert_eq!(pyramid.level(2).texels(), [2.0]);
 /// # Ok::<(), bellfit::filter::FilterError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -54,18 +54,21 @@ fn reduced(from: &Texture, to_w: usize, to_h: usize, reduction: Reduction, wrap:
     let (w, h) = (from.width(), from.height());
     let columns: Vec<Taps> = (0..to_w).map(|i| reduction.taps(i, w, to_w, wrap)).collect();
     let rows: Vec<Taps> = (0..to_h).map(|i| reduction.taps(i, h, to_h, wrap)).collect();
-    let planes: Vec<Vec<f32>> = (0..from.channels())
-        .map(|c| {
-            let narrow: Vec<f64> = from
-                .plane(c)
-                .chunks_exact(w)
-                .flat_map(|row| columns.iter().map(|taps| weighted(taps, |x| f64::from(row[x]))))
-                .collect();
-            let texel = |(taps, x): (&Taps, usize)| weighted(taps, |y| narrow[y * to_w + x]) as f32;
-            rows.iter().flat_map(|taps| (0..to_w).map(move |x| (taps, x))).map(texel).collect()
-        })
-        .collect();
-    Texture::from_planes(to_w, to_h, planes.into_iter().map(Vec::into_iter))
+    let channels = from.channels();
+    let mut texels = vec![0.0; to_w * to_h * channels];
+    for c in 0..channels {
+        let narrow: Vec<f64> = from
+            .texels()
+            .chunks_exact(w * channels)
+            .flat_map(|row| {
+                columns.iter().map(move |taps| weighted(taps, |x| f64::from(row[x * channels + c])))
+            })
+            .collect();
+        for (i, texel) in texels.chunks_exact_mut(channels).enumerate() {
+            texel[c] = weighted(&rows[i / to_w], |y| narrow[y * to_w + i % to_w]) as f32;
+        }
+    }
+    Texture::from_texels(to_w, to_h, channels, texels)
 }
 
 fn weighted(taps: &Taps, value: impl Fn(usize) -> f64) -> f64 {

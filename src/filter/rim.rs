@@ -1,7 +1,7 @@
 //! Texels on the rim, texel by texel in double precision: for study, not for speed.
 
+use super::gathered::Sum;
 use super::placed::Placed;
-use super::scan::Sum;
 use super::{Rim, Texture, Wrap};
 use crate::kernel::pixel::{Footprint, Frame, PixelWeight, Tangent, clip_volume_paper, coverage, half_plane};
 

@@ -2,20 +2,21 @@
 
 use super::FilterError;
 
-/// Floats behind each plane, so that a run of lanes may start at any texel.
-pub(super) const SLACK: usize = 16;
+/// Texels of zeros behind the last, so that eight may be read from any on.
+const SLACK: usize = 8;
 /// Largest side: texel centres are exact in `f32`.
 const LARGEST: usize = 1 << 24;
 
 /// Texels of level 0 or of a mip level, one to four channels of `f32`.
 ///
-/// Planar in memory: a plane a channel, its rows one behind the other.
+/// Channels side by side in memory, row by row: the texels of a footprint lie in few cache lines.
 ///
 /// ```
 /// use bellfit::filter::Texture;
 /// let texture = Texture::new(2, 1, 2, &[1.0, 2.0, 3.0, 4.0])?;
 /// assert_eq!(texture.texel(1, 0), [3.0, 4.0, 0.0, 0.0]);
-/// assert_eq!(texture.plane(1), [2.0, 4.0]);
+/// assert_eq!(texture.texels(), [1.0, 2.0, 3.0, 4.0]);
+/// assert_eq!(texture.channel(1).collect::<Vec<_>>(), [2.0, 4.0]);
 /// # Ok::<(), bellfit::filter::FilterError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -23,7 +24,7 @@ pub struct Texture {
     width: usize,
     height: usize,
     channels: usize,
-    planes: Vec<f32>,
+    texels: Vec<f32>,
 }
 
 impl Texture {
@@ -50,23 +51,13 @@ impl Texture {
         if let Some(index) = interleaved.iter().position(|value| !value.is_finite()) {
             return Err(FilterError::NotFinite { index, value: interleaved[index] });
         }
-        let plane = |c: usize| interleaved.iter().skip(c).step_by(channels).copied();
-        Ok(Self::from_planes(width, height, (0..channels).map(plane)))
+        Ok(Self::from_texels(width, height, channels, interleaved.to_vec()))
     }
 
-    /// Of planes of width × height values each.
-    pub(super) fn from_planes<P: Iterator<Item = f32>>(
-        width: usize,
-        height: usize,
-        from: impl ExactSizeIterator<Item = P>,
-    ) -> Texture {
-        let channels = from.len();
-        let mut planes = Vec::with_capacity(channels * (width * height + SLACK));
-        for plane in from {
-            planes.extend(plane);
-            planes.extend([0.0; SLACK]);
-        }
-        Texture { width, height, channels, planes }
+    /// Of width × height × channels values, finite.
+    pub(super) fn from_texels(width: usize, height: usize, channels: usize, mut texels: Vec<f32>) -> Texture {
+        texels.extend([0.0; SLACK * 4].iter().take(SLACK * channels));
+        Texture { width, height, channels, texels }
     }
 
     /// Texels in a row.
@@ -90,23 +81,31 @@ impl Texture {
     #[inline]
     pub fn texel(&self, x: usize, y: usize) -> [f32; 4] {
         assert!(x < self.width && y < self.height, "texel ({x}, {y}) of {} × {}", self.width, self.height);
-        let mut value = [0.0; 4];
-        for (c, value) in value.iter_mut().enumerate().take(self.channels) {
-            *value = self.plane(c)[y * self.width + x];
+        let at = (y * self.width + x) * self.channels;
+        match self.texels[at..at + self.channels] {
+            [] => [0.0; 4],
+            [a] => [a, 0.0, 0.0, 0.0],
+            [a, b] => [a, b, 0.0, 0.0],
+            [a, b, c] => [a, b, c, 0.0],
+            [a, b, c, d, ..] => [a, b, c, d],
         }
-        value
     }
 
-    /// All texels of a channel, row by row; panics if the channel is absent.
+    /// All texels, channels side by side, row by row.
     #[inline]
-    pub fn plane(&self, channel: usize) -> &[f32] {
-        &self.run(channel)[..self.width * self.height]
+    pub fn texels(&self) -> &[f32] {
+        &self.texels[..self.width * self.height * self.channels]
     }
 
-    /// The same with [`SLACK`] zeros behind.
+    /// All values of a channel, row by row; panics if the channel is absent.
+    pub fn channel(&self, channel: usize) -> impl ExactSizeIterator<Item = f32> + '_ {
+        assert!(channel < self.channels, "channel {channel} of {}", self.channels);
+        self.texels().iter().skip(channel).step_by(self.channels).copied()
+    }
+
+    /// The texels with [`SLACK`] texels of zeros behind.
     #[inline]
-    pub(super) fn run(&self, channel: usize) -> &[f32] {
-        let size = self.width * self.height + SLACK;
-        &self.planes[channel * size..][..size]
+    pub(super) fn run(&self) -> &[f32] {
+        &self.texels
     }
 }

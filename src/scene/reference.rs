@@ -207,10 +207,10 @@ fn bilinear<const N: usize>(view: &View, s: f64, t: f64) -> [f64; N] {
         (index(whole as i64), index(whole as i64 + 1), at - whole)
     };
     let ((x0, x1, fx), (y0, y1, fy)) = (split(s, width), split(t, height));
+    let texels = texture.texels();
     let mut value = [1.0; N];
     for (channel, value) in value.iter_mut().enumerate().take(N - 1) {
-        let plane = texture.plane(channel);
-        let at = |x: usize, y: usize| f64::from(plane[y * width + x]);
+        let at = |x: usize, y: usize| f64::from(texels[(y * width + x) * (N - 1) + channel]);
         let mix = |x: usize| at(x, y0) + fy * (at(x, y1) - at(x, y0));
         let (left, right) = (mix(x0), mix(x1));
         *value = left + fx * (right - left);

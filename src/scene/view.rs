@@ -2,7 +2,7 @@
 
 use super::rows::rows;
 use super::{Image, Scene, SceneError, Technique};
-use crate::filter::{Pyramid, Reduction, Sampler, Texture, Wrap};
+use crate::filter::{Level, Lookup, Pixel, Pyramid, Reduction, Sampler, Texture, Wrap};
 use crate::kernel::pixel::{Jacobian, Polygon};
 
 /// Half a side of the square of pixels around a pixel that must lie on the plane: the reach of the wider
@@ -99,18 +99,18 @@ impl View {
 
     /// Position and Jacobian under the middle of a pixel, in the sampler's precision; the position is taken
     /// into the texture first where it repeats, so that nothing is lost far away.
-    pub(super) fn under(&self, x: usize, y: usize, diameter: u8) -> (f32, f32, Jacobian<f32>) {
+    pub(super) fn under(&self, x: usize, y: usize, diameter: u8) -> Pixel {
         let (x, y) = (x as f64 + 0.5, y as f64 + 0.5);
         let (s, t) = self.mapping.at(x, y);
         let j = self.mapping.jacobian(x, y).scaled(0.5 * f64::from(diameter));
         let texture = self.texture();
         let near = |position: f64, size: usize| near(self.wrap, position, size as f64) as f32;
         let single = |x: f64| x as f32;
-        (
-            near(s, texture.width()),
-            near(t, texture.height()),
-            Jacobian { ux: single(j.ux), vx: single(j.vx), uy: single(j.uy), vy: single(j.vy) },
-        )
+        Pixel {
+            s: near(s, texture.width()),
+            t: near(t, texture.height()),
+            jacobian: Jacobian { ux: single(j.ux), vx: single(j.vx), uy: single(j.uy), vy: single(j.vy) },
+        }
     }
 
     /// The picture by one technique, rows on so many threads.
@@ -121,19 +121,17 @@ impl View {
         let sampler = self.sampler(technique)?;
         let channels = self.texture().channels();
         let computed = rows(self.height, threads, |y| {
-            let mut values = Vec::with_capacity(self.width * channels);
-            let (mut texels, mut largest) = (0, 0);
-            for x in 0..self.width {
-                if self.on_plane[y * self.width + x] {
-                    let (s, t, j) = self.under(x, y, technique.diameter);
-                    let lookup = sampler.lookup(s, t, j);
-                    values.extend_from_slice(&lookup.value[..channels]);
-                    texels += lookup.texels;
-                    largest = largest.max(lookup.texels);
-                } else {
-                    values.extend_from_slice(&sky(channels)[..channels]);
-                }
-            }
+            let on_plane = |x: &usize| self.on_plane[y * self.width + x];
+            let under = |x: usize| self.under(x, y, technique.diameter);
+            let pixels: Vec<Pixel> = (0..self.width).filter(on_plane).map(under).collect();
+            let mut found = vec![Lookup::default(); pixels.len()];
+            sampler.lookups(&pixels, Level::Auto, &mut found).expect("slices of one length");
+            let mut next = found.iter();
+            let value = |x: usize| if on_plane(&x) { next.next().map(|found| found.value) } else { None };
+            let row = (0..self.width).map(value).map(|value| value.unwrap_or(sky(channels)));
+            let values: Vec<f32> = row.flat_map(|value| value.into_iter().take(channels)).collect();
+            let texels: u64 = found.iter().map(|found| found.texels).sum();
+            let largest = found.iter().map(|found| found.texels).max().unwrap_or(0);
             (values, texels, largest)
         });
         let pixels = self.on_plane.iter().filter(|&&on| on).count();
