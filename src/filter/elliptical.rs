@@ -34,9 +34,11 @@ impl Sampler<'_> {
         out: &mut [Lookup],
         desk: &mut Desk<PLANS>,
     ) {
+        // One level each, or two.
+        let together = if asked.fixed.is_some() { PLANS } else { PLANS / 2 };
         let mut start = 0;
         while start < asked.pixels.len() {
-            let end = (start + PLANS / 2).min(asked.pixels.len());
+            let end = (start + together).min(asked.pixels.len());
             let part = Asked { pixels: &asked.pixels[start..end], ..asked };
             self.part(part, &mut out[start..end], &mut desk.plans, &mut desk.gathered, &mut desk.strips);
             start = end;

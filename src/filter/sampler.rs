@@ -157,7 +157,11 @@ impl<'a> Sampler<'a> {
             },
             Method::Ellipse(filter) => {
                 let (pixels, mut out) = (&[Pixel { s, t, jacobian: j }], [Lookup::default()]);
-                self.ellipses(Asked { pixels, filter, fixed }, &mut out, &mut Desk::<2>::new());
+                let asked = Asked { pixels, filter, fixed };
+                match fixed {
+                    Some(_) => self.ellipses(asked, &mut out, &mut Desk::<1>::new()),
+                    None => self.ellipses(asked, &mut out, &mut Desk::<2>::new()),
+                }
                 out[0]
             }
         }
