@@ -109,6 +109,34 @@ fn many_at_once_are_each_as_alone() {
     assert!(seen.iter().all(|&seen| seen > 50), "too few of a kind: {seen:?}");
 }
 
+/// As many plans as there can be.
+#[test]
+fn lookups_that_all_lie_between_two_levels() {
+    let mut draw = Draw(75);
+    let pyramid = pyramid(&mut draw, 160, 90, 1);
+    let sampler = Sampler::new(&pyramid, Wrap::Repeat, Method::Ellipse(EllipseFilter::default())).unwrap();
+    let jacobian = Jacobian { ux: 7.0, vx: 1.0, uy: -1.0, vy: 6.0 };
+    let pixels: Vec<Pixel> = (0..100).map(|i| Pixel { s: i as f32, t: 40.0, jacobian }).collect();
+    assert_eq!(same(&sampler, &pixels, Level::Auto, "between"), [0; 3]);
+    assert!(sampler.lookup(0.0, 40.0, jacobian).level.fract() > 0.0);
+}
+
+/// A million texels of 0.1: added up in single precision alone, thousands to a lane, they would drift from it by a
+/// hundred times what the sums may round.
+#[test]
+fn the_largest_sums_are_no_less_accurate() {
+    let texture = Texture::new(64, 64, 1, &[0.1; 64 * 64]).unwrap();
+    let pyramid = Pyramid::new(texture, Reduction::Box, Wrap::Repeat);
+    let filter = EllipseFilter { weight: PixelWeight::Box, ..EllipseFilter::default() };
+    let sampler = Sampler::new(&pyramid, Wrap::Repeat, Method::Ellipse(filter)).unwrap();
+    let jacobian = Jacobian { ux: 600.0, vx: 0.0, uy: 0.0, vy: 560.0 };
+    let found = sampler.lookup_at(3.0, 7.0, jacobian, Level::Fixed(0));
+    assert!(found.texels > 1_000_000);
+    // 64 additions in a lane, three across the lanes and the mean's rounding; the weights' sums are exact.
+    let bound = 70.0 / f64::from(1 << 24);
+    assert!((f64::from(found.value[0]) / f64::from(0.1_f32) - 1.0).abs() < bound, "{}", found.value[0]);
+}
+
 #[test]
 fn every_method_rim_and_axis_takes_many() {
     let mut draw = Draw(72);
