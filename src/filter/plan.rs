@@ -67,10 +67,7 @@ impl Planning<'_, '_> {
     fn plan(&mut self, pixel: &Pixel, lookup: usize, len: &mut usize) -> Lookup {
         let Pixel { s, t, jacobian: j } = *pixel;
         let (sampler, filter, fixed) = (self.sampler, self.asked.filter, self.asked.fixed);
-        let square = |x: f32| f64::from(x) * f64::from(x);
-        let size = (square(j.ux) + square(j.uy)) + (square(j.vx) + square(j.vy));
-        // 0 times what is not finite is NaN.
-        if (f64::from(s) + f64::from(t) + size) * 0.0 != 0.0 {
+        if !pixel.is_finite() {
             return Lookup { level: f32::NAN, ..sampler.none() };
         }
         let mut shape = Shape::of(j, filter);

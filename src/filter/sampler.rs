@@ -40,6 +40,17 @@ pub struct Pixel {
     pub jacobian: Jacobian<f32>,
 }
 
+impl Pixel {
+    #[inline(always)]
+    pub(super) fn is_finite(&self) -> bool {
+        let Jacobian { ux, vx, uy, vy } = self.jacobian;
+        let square = |x: f32| f64::from(x) * f64::from(x);
+        let size = (square(ux) + square(uy)) + (square(vx) + square(vy));
+        // 0 times what is not finite is NaN; in double precision nothing finite overflows.
+        (f64::from(self.s) + f64::from(self.t) + size) * 0.0 == 0.0
+    }
+}
+
 /// Elliptical lookups to be done, in one level or by the rule.
 #[derive(Clone, Copy)]
 pub(super) struct Asked<'s> {
@@ -134,8 +145,8 @@ impl<'a> Sampler<'a> {
     /// texel nearer to the rim than that may count or not. The same bits on every machine and vector unit. The
     /// sums may overflow where texels exceed 10³⁵.
     pub fn lookup_at(&self, s: f32, t: f32, j: Jacobian<f32>, level: Level) -> Lookup {
-        // 0 times what is not finite is NaN.
-        if s * 0.0 + t * 0.0 + ((j.ux * 0.0 + j.vx * 0.0) + (j.uy * 0.0 + j.vy * 0.0)) != 0.0 {
+        let pixel = Pixel { s, t, jacobian: j };
+        if !pixel.is_finite() {
             return Lookup { level: f32::NAN, ..self.none() };
         }
         let position = [f64::from(s), f64::from(t)];
@@ -156,7 +167,7 @@ impl<'a> Sampler<'a> {
                 }
             },
             Method::Ellipse(filter) => {
-                let (pixels, mut out) = (&[Pixel { s, t, jacobian: j }], [Lookup::default()]);
+                let (pixels, mut out) = (&[pixel], [Lookup::default()]);
                 let asked = Asked { pixels, filter, fixed };
                 match fixed {
                     Some(_) => self.ellipses(asked, &mut out, &mut Desk::<1>::new()),

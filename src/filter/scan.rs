@@ -13,9 +13,9 @@ const MOST: usize = ROWS as usize;
 
 /// Adds the texels of strips, in levels of C channels, to what their ellipses have gathered.
 ///
-/// A texel counts if Q as computed here is ≤ 1; the strips are wide enough for that alone to decide. u and v are
-/// k + ½ - fraction with k a whole number from the middle's texel, so that a mirrored texture, position and
-/// ellipse give the same Q to the last bit, and a texel on the rim counts in both or in neither.
+/// A texel counts if Q as computed here is ≤ 1; the strips are wide enough for that alone to decide. u and v
+/// are k + ½ - fraction with k a whole number from the middle's texel, so that a mirrored texture, position
+/// and ellipse give the same Q to the last bit, and a texel on the rim counts in both or in neither.
 ///
 /// The shape is what the compiler reliably turns into vectors: a loop over rows, as many as there are, whose
 /// body is the same step for each lane; weights first, then values, so that no loop has two kinds of sums.

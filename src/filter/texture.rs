@@ -56,7 +56,7 @@ impl Texture {
 
     /// Of width × height × channels values, finite.
     pub(super) fn from_texels(width: usize, height: usize, channels: usize, mut texels: Vec<f32>) -> Texture {
-        texels.extend([0.0; SLACK * 4].iter().take(SLACK * channels));
+        texels.resize(texels.len() + SLACK * channels, 0.0);
         Texture { width, height, channels, texels }
     }
 

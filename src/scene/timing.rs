@@ -18,8 +18,8 @@ pub struct Timing {
     pub most: f64,
 }
 
-/// Measures lookups, all in one call, under every `stride`-th pixel of the plane, the techniques one after the other in each of
-/// `rounds` rounds, so that a change of the machine's speed meets all of them.
+/// Measures lookups, all in one call, under every `stride`-th pixel of the plane, the techniques one after
+/// the other in each of `rounds` rounds, so that a change of the machine's speed meets all of them.
 ///
 /// # Errors
 /// [`SceneError`] for a technique that the filters refuse.
