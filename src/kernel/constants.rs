@@ -2,7 +2,8 @@
 //!
 //! The adopted constants: linear factors coef(n) = (a n + b)/(divisor π) of cs_16, a row a model in the
 //! order of [`Model::ALL`](super::model::Model::ALL), columns a, b, divisor, read through
-//! [`factor`](super::factor); and the bells of degree three with their factors, a row a K = 2, 4, 8, read
+//! [`factor`](super::factor); the bells of degree one for cosⁿ, a row a K = 2, 4, 8, 16, 32, read through
+//! [`linear`](super::linear); the bells of degree three with their factors, a row a K = 2, 4, 8, read
 //! through [`cubic`](super::cubic) and [`factor`](super::factor); and the polynomials of a pixel's clip volume.
 //!
 //! ```
@@ -83,6 +84,48 @@ pub const CUBIC_EXP: [[f64; 3]; 3] = [
     [0.99593473852, 0.467617241435, 0.1016389058],
     // K = 8: 5.3598e-5 (t = 0.2545)
     [0.999499254458, 0.491447467848, 0.131305819847],
+];
+
+/// Bells of degree one for cosⁿ.
+///
+/// Above each row a bound of |bell - cosⁿ|, certified over every angle in [0, π/2] and every real n ≥ 16,
+/// and where it is reached to 2e-4 of it, in n and t = n (1 - cos θ).
+pub const LINEAR_COS_N: [BellFormula; 5] = [
+    // 6.9958e-2 (n → ∞, t = 0.5642)
+    BellFormula {
+        power: 2,
+        reach: [2.8101, -1.848363, 0.0],
+        linear: [0.0, 0.0, 0.0],
+        square: [0.0, 0.0, 0.0],
+    },
+    // 3.3216e-2 (n → ∞, t = 2.6913)
+    BellFormula {
+        power: 4,
+        reach: [4.731848, -3.051946, 0.0],
+        linear: [0.0, 0.0, 0.0],
+        square: [0.0, 0.0, 0.0],
+    },
+    // 1.6156e-2 (n → ∞, t = 2.781)
+    BellFormula {
+        power: 8,
+        reach: [8.696064, -5.707811, 0.0],
+        linear: [0.0, 0.0, 0.0],
+        square: [0.0, 0.0, 0.0],
+    },
+    // 7.9661e-3 (n → ∞, t = 0.4743)
+    BellFormula {
+        power: 16,
+        reach: [16.6791, -11.03401, 0.0],
+        linear: [0.0, 0.0, 0.0],
+        square: [0.0, 0.0, 0.0],
+    },
+    // 4.0381e-3 (n = 16.0005, t = 0.4619)
+    BellFormula {
+        power: 32,
+        reach: [32.67085, -22.55058, 19.5493],
+        linear: [0.0, 0.0, 0.0],
+        square: [0.0, 0.0, 0.0],
+    },
 ];
 
 /// Cubic bells for cosⁿ.

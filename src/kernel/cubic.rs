@@ -57,7 +57,7 @@ pub(super) const fn row(k: u32) -> usize {
 
 /// K-th power of the positive part, by squarings.
 #[inline]
-fn power<const K: u32, F: Real>(base: F) -> F {
+pub(super) fn power<const K: u32, F: Real>(base: F) -> F {
     let mut power = base.max(F::ZERO);
     for _ in 0..K.trailing_zeros() {
         power = power * power;
@@ -134,6 +134,32 @@ impl<const K: u32, F: Real> CubicLobe<K, F> {
         let c = k1 / s - F::from_u32(3) * u * u;
         let d = F::ONE - u * (u * u + c);
         CubicLobe { horner: [k1, k2, k3], depressed: [u - s, s, c, d] }
+    }
+
+    /// The same lobe with its constants rounded to another type: those of a material computed in `f64` once, for
+    /// a shader that has less.
+    ///
+    /// ```
+    /// use bellfit::kernel::cubic::CubicLobe;
+    /// let lobe = CubicLobe::<4, f64>::new(1e12).convert::<f32>();
+    /// assert_eq!(lobe.at_versine(0.0), 1.0);
+    /// ```
+    #[inline]
+    pub fn convert<G: Real>(&self) -> CubicLobe<K, G> {
+        let rounded = |x: F| G::from_f64(x.to_f64());
+        CubicLobe { horner: self.horner.map(rounded), depressed: self.depressed.map(rounded) }
+    }
+
+    /// k₁, k₂, k₃ of p = 1 - w (k₁ - w (k₂ - w k₃)), w = 1 - cos θ.
+    #[inline]
+    pub fn horner(&self) -> [F; 3] {
+        self.horner
+    }
+
+    /// a, b, c, d of p = u³ + c u + d, u = a + b cos θ.
+    #[inline]
+    pub fn depressed(&self) -> [F; 4] {
+        self.depressed
     }
 
     /// The lobe at c = cos θ.

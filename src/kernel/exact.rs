@@ -35,6 +35,8 @@ pub struct Cost {
     pub operations: u32,
     /// Divisions, beside the operations.
     pub divisions: u32,
+    /// Exponentials, logarithms and the like, beside both.
+    pub transcendentals: u32,
 }
 
 /// Exact factor of the bell lobe [`cs`](super::lobe::cs), per steradian.
@@ -150,7 +152,7 @@ pub fn cs_16_factor_exact<F: Real>(model: Model, n: F) -> F {
 /// use bellfit::kernel::exact::{Cost, Support, cs_factor_cost};
 /// use bellfit::kernel::model::Model;
 /// let cost = cs_factor_cost::<16>(Model::BlinnPhong, Support::Cut);
-/// assert_eq!(cost, Cost { operations: 28, divisions: 1 });
+/// assert_eq!(cost, Cost { operations: 28, divisions: 1, transcendentals: 0 });
 /// ```
 pub const fn cs_factor_cost<const K: u32>(model: Model, support: Support) -> Cost {
     const { assert!(K.is_power_of_two() && K >= 2 && K <= 64, "K is 2, 4, 8, 16, 32 or 64") };
@@ -162,8 +164,8 @@ pub const fn cs_factor_cost<const K: u32>(model: Model, support: Support) -> Cos
         Model::BlinnPhongModified => ((7, 2), 18 * m - 2),
     };
     match support {
-        Support::Inside => Cost { operations: inside.0, divisions: inside.1 },
-        Support::Cut => Cost { operations: cut, divisions: 1 },
+        Support::Inside => Cost { operations: inside.0, divisions: inside.1, transcendentals: 0 },
+        Support::Cut => Cost { operations: cut, divisions: 1, transcendentals: 0 },
     }
 }
 
@@ -298,7 +300,7 @@ mod tests {
 
     fn spent() -> Cost {
         let take = |counter: &AtomicU32| counter.swap(0, Ordering::Relaxed);
-        Cost { operations: take(&OPERATIONS), divisions: take(&DIVISIONS) }
+        Cost { operations: take(&OPERATIONS), divisions: take(&DIVISIONS), transcendentals: 0 }
     }
 
     /// The only test that counts, as the counters are shared.

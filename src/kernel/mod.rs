@@ -17,7 +17,9 @@
 //! | the rows of Table 1 | [`model::Model`] |
 //! | (1 - t/K)^K, Lyon's bell | [`bell::bell`] |
 //! | L, N, V, R, H | unit vectors of [`vector`] |
+//! | (not there) (1 - t/T)^K with the T that fits best | [`linear::LinearLobe`] |
 //! | (not there) bells of degree three | [`cubic::cubic_bell`], [`cubic::CubicLobe`] |
+//! | (not there) any of these, chosen at run time | [`stand_in::StandIn`] |
 //! | (not there) L drawn for V, its density | [`sampling::sample`], [`sampling::pdf`] |
 //! | k_a, k_d, k_s | the fields of [`shading::PhongLambert`] |
 //!
@@ -28,10 +30,13 @@ pub mod constants;
 pub mod cubic;
 pub mod exact;
 pub mod factor;
+pub mod linear;
 pub mod lobe;
 pub mod model;
 pub mod pixel;
+pub mod power;
 pub mod real;
 pub mod sampling;
 pub mod shading;
+pub mod stand_in;
 pub mod vector;

@@ -3,7 +3,7 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-mod sealed {
+pub(crate) mod sealed {
     pub trait Sealed {}
     impl Sealed for f32 {}
     impl Sealed for f64 {}
@@ -142,6 +142,8 @@ pub trait Real:
     fn expm1(self) -> Self;
     /// Natural logarithm; -∞ at 0, NaN below.
     fn log(self) -> Self;
+    /// Logarithm to the base 2; -∞ at 0, NaN below.
+    fn log2(self) -> Self;
     /// ln(1 + x), without the cancellation of the sum; -∞ at -1, NaN below.
     fn log1p(self) -> Self;
     /// xʸ as in IEEE 754: x⁰ = 1 and 1ʸ = 1 even where the other argument is NaN.
@@ -241,8 +243,8 @@ fn cross_f64(a: f64, b: f64, c: f64, d: f64) -> f64 {
 }
 
 real!(f32, sqrt = sqrtf, cbrt = cbrtf, sin = sinf, cos = cosf, asin = asinf, exp = expf, exp2 = exp2f,
-    expm1 = expm1f, log = logf, log1p = log1pf, abs = fabsf, erf = erff, erfc = erfcf; pow = powf, atan2 = atan2f, hypot = hypotf;
+    expm1 = expm1f, log = logf, log2 = log2f, log1p = log1pf, abs = fabsf, erf = erff, erfc = erfcf; pow = powf, atan2 = atan2f, hypot = hypotf;
     scalbnf, ilogbf, cross_f32);
 real!(f64, sqrt = sqrt, cbrt = cbrt, sin = sin, cos = cos, asin = asin, exp = exp, exp2 = exp2,
-    expm1 = expm1, log = log, log1p = log1p, abs = fabs, erf = erf, erfc = erfc; pow = pow, atan2 = atan2, hypot = hypot;
+    expm1 = expm1, log = log, log2 = log2, log1p = log1p, abs = fabs, erf = erf, erfc = erfc; pow = pow, atan2 = atan2, hypot = hypot;
     scalbn, ilogb, cross_f64);

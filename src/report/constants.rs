@@ -4,6 +4,7 @@ use super::number::{short, short_up};
 use super::pixel::clip_constants;
 use super::study::{Study, case};
 use crate::bound::{Extremes, Residual};
+use crate::fit::bell::Shape;
 use crate::fit::{Line, Objective};
 use crate::integral::{Limit, Lobe};
 use crate::kernel::model::Model;
@@ -20,7 +21,8 @@ const HEAD: &str = "\
 //!
 //! The adopted constants: linear factors coef(n) = (a n + b)/(divisor π) of cs_16, a row a model in the
 //! order of [`Model::ALL`](super::model::Model::ALL), columns a, b, divisor, read through
-//! [`factor`](super::factor); and the bells of degree three with their factors, a row a K = 2, 4, 8, read
+//! [`factor`](super::factor); the bells of degree one for cosⁿ, a row a K = 2, 4, 8, 16, 32, read through
+//! [`linear`](super::linear); the bells of degree three with their factors, a row a K = 2, 4, 8, read
 //! through [`cubic`](super::cubic) and [`factor`](super::factor); and the polynomials of a pixel's clip volume.
 //!
 //! ```
@@ -33,6 +35,8 @@ const HEAD: &str = "\
 use super::cubic::BellFormula;
 ";
 
+/// The powers whose bells of degree one for cosⁿ are adopted.
+const LINEAR_POWERS: [u32; 5] = [2, 4, 8, 16, 32];
 /// The powers whose cubic bells are adopted.
 pub(super) const POWERS: [u32; 3] = [2, 4, 8];
 
@@ -66,7 +70,13 @@ pub(super) fn source(study: &Study) -> Option<String> {
         "CS16_ONE_SIDED",
         &one_sided,
     )?;
-    let bells = [exponential_bells(study)?, cosine_bells(study)?, cubic_factors(study)?].join("\n");
+    let bells = [
+        exponential_bells(study)?,
+        cosine_bells(study, Shape::Linear, "LINEAR_COS_N", "Bells of degree one", &LINEAR_POWERS)?,
+        cosine_bells(study, Shape::Cubic, "CUBIC_COS_N", "Cubic bells", &POWERS)?,
+        cubic_factors(study)?,
+    ]
+    .join("\n");
     let clip = clip_constants(&study.pixel)?;
     Some(format!("{HEAD}\n{printed}\n{minimax}\n{one_sided}\n{bells}\n{clip}"))
 }
@@ -92,15 +102,16 @@ fn exponential_bells(study: &Study) -> Option<String> {
     Some(text)
 }
 
-fn cosine_bells(study: &Study) -> Option<String> {
-    let mut text = String::from(
-        "/// Cubic bells for cosⁿ.\n///\n\
+fn cosine_bells(study: &Study, shape: Shape, name: &str, what: &str, powers: &[u32]) -> Option<String> {
+    let mut text = format!(
+        "/// {what} for cosⁿ.\n///\n\
          /// Above each row a bound of |bell - cosⁿ|, certified over every angle in [0, π/2] and every real n ≥ 16,\n\
          /// and where it is reached to 2e-4 of it, in n and t = n (1 - cos θ).\n\
-         pub const CUBIC_COS_N: [BellFormula; 3] = [\n",
+         pub const {name}: [BellFormula; {}] = [\n",
+        powers.len()
     );
-    for power in POWERS {
-        let row = study.cosine_bell(power)?;
+    for &power in powers {
+        let row = study.cosine_bell(shape, power)?;
         let formula = row.formula;
         let n = row.n_at_maximum();
         let n = if n.is_finite() { format!("n = {}", short(n)) } else { "n → ∞".to_owned() };

@@ -175,8 +175,8 @@ impl Study {
     }
 
     /// The cubic bell of a power for cosⁿ.
-    pub fn cosine_bell(&self, power: u32) -> Option<&CosineBell> {
-        self.cosine.iter().find(|row| row.shape == Shape::Cubic && row.formula.power == power)
+    pub fn cosine_bell(&self, shape: Shape, power: u32) -> Option<&CosineBell> {
+        self.cosine.iter().find(|row| !row.printed && row.shape == shape && row.formula.power == power)
     }
 
     /// The factor of the cubic bell of a power under a model.
