@@ -10,6 +10,7 @@ mod error_function;
 mod exact;
 mod extremes;
 mod fixed;
+mod format;
 mod formula;
 mod gaussian;
 mod gradient;
@@ -35,6 +36,7 @@ pub use difference::{
 };
 pub use exact::{decimal, enclose, exact, power_of_ten};
 pub use fixed::Fixed;
+pub use format::{Format, Handed};
 pub use formula::{Formula, FormulaError};
 pub use gaussian::{Gaussian, bell_distance, gaussian_distance};
 pub use gradient::Gradient;
