@@ -21,6 +21,7 @@ pub struct LengthError {
 }
 
 impl LengthError {
+    #[inline]
     pub(super) fn check(name: &'static str, length: usize, expected: usize) -> Result<(), LengthError> {
         if length == expected { Ok(()) } else { Err(LengthError { name, length, expected }) }
     }

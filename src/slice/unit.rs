@@ -14,6 +14,28 @@ pub trait Job {
     fn run(self) -> Self::Output;
 }
 
+/// A body that fuses a multiply with an add where the unit does, and nowhere else: where it does not, a fused
+/// one is a call of the library. The other rules are those of [`Job`].
+pub(super) trait FusedJob {
+    /// What it computes.
+    type Output;
+
+    /// The body.
+    fn run<const FUSED: bool>(self) -> Self::Output;
+}
+
+/// A job that fuses or does not, decided.
+struct Decided<J, const FUSED: bool>(J);
+
+impl<J: FusedJob, const FUSED: bool> Job for Decided<J, FUSED> {
+    type Output = J::Output;
+
+    #[inline(always)]
+    fn run(self) -> J::Output {
+        self.0.run::<FUSED>()
+    }
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Kind {
     Plain,
@@ -55,6 +77,7 @@ impl Unit {
     }
 
     /// The widest that this machine has, found once.
+    #[inline]
     pub fn best() -> Unit {
         static BEST: OnceLock<Unit> = OnceLock::new();
         *BEST.get_or_init(|| Unit::available().last().unwrap_or(Unit::plain()))
@@ -102,6 +125,21 @@ impl Unit {
             #[cfg(target_arch = "x86_64")]
             // SAFETY: likewise, where it has AVX-512 F, BW, DQ and VL, AVX2 and FMA.
             Kind::Avx512 => unsafe { avx512(job) },
+        }
+    }
+
+    /// The same for a job that fuses where the unit does.
+    #[inline]
+    #[allow(unsafe_code)] // as `run`
+    pub(super) fn run_fused<J: FusedJob>(self, job: J) -> J::Output {
+        match self.0 {
+            Kind::Plain => job.run::<false>(),
+            #[cfg(target_arch = "x86_64")]
+            // SAFETY: as in `run`.
+            Kind::Avx2 => unsafe { avx2(Decided::<J, true>(job)) },
+            #[cfg(target_arch = "x86_64")]
+            // SAFETY: as in `run`.
+            Kind::Avx512 => unsafe { avx512(Decided::<J, true>(job)) },
         }
     }
 }
