@@ -38,6 +38,8 @@ pub mod scene;
 #[cfg(feature = "toolkit")]
 pub mod slice;
 #[cfg(feature = "toolkit")]
+pub mod stability;
+#[cfg(feature = "toolkit")]
 pub mod verdict;
 
 /// The README's examples, compiled and run with the others.

@@ -1,4 +1,4 @@
-//! The two floating-point types that every kernel is written for.
+//! The floating-point types that every kernel is written for.
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -10,7 +10,7 @@ pub(crate) mod sealed {
 }
 
 /// `f32` or `f64`, with the elementary functions of `libm`; sealed, as the stated behaviour at NaN and
-/// infinities is checked for these two only.
+/// infinities is checked for these two only. The toolkit has a third, `stability::Half`, to measure with.
 ///
 /// On a concrete type Rust prefers the inherent methods of the same name (`max` differs: see
 /// [`Real::max`]); these are for generic code.

@@ -5,7 +5,7 @@ use super::study::Study;
 use super::study::case;
 use super::{
     albedo_table, constants, factor_table, filter_images, filter_table, kernel_table, markdown, pixel,
-    readme, table_one, tables,
+    readme, stability_table, table_one, tables,
 };
 use crate::fit::Objective;
 use crate::integral::{Limit, Lobe};
@@ -80,6 +80,12 @@ impl Artifacts {
         files.insert("fits/pixel-weights.csv".to_owned(), pixel::weights_csv(&study.pixel)?);
         files.insert("fits/table1.csv".to_owned(), table_one::csv(study)?);
         files.insert("fits/filter.csv".to_owned(), filter_table::filter_csv(&study.filters)?);
+        files.insert("fits/stability.csv".to_owned(), stability_table::lobes(&study.stability)?);
+        let of_factors = stability_table::factors(&study.stability)?;
+        files.insert("fits/stability-factors.csv".to_owned(), of_factors);
+        let of_footprints = stability_table::footprints(&study.stability)?;
+        files.insert("fits/stability-footprint.csv".to_owned(), of_footprints);
+        files.insert("fits/stability-clip.csv".to_owned(), stability_table::clips(&study.stability)?);
         for (name, bytes) in filter_images::sheets(&study.filters)? {
             files.insert(format!("reports/images/{name}"), bytes);
         }
@@ -99,8 +105,10 @@ impl Artifacts {
             weights: &study.pixel.weights,
             texels: &study.pixel.texels,
         });
-        let report = markdown::report(study, &figures, &of_pixels);
+        let of_stability = figures::stability(&study.stability);
+        let report = markdown::report(study, &figures, &of_pixels, &of_stability);
         figures.extend(of_pixels);
+        figures.extend(of_stability);
         for (name, bytes) in figures::render(&figures)? {
             files.insert(format!("reports/plots/{name}"), bytes);
         }

@@ -7,6 +7,7 @@ use super::filter_section;
 use super::number::{enclosure, short};
 use super::pixel;
 use super::readme::cell;
+use super::stability_section;
 use super::study::{NearestRow, Study, case};
 use super::summary::{Group, Summary, summaries, summaries_of};
 use super::table_one;
@@ -18,8 +19,13 @@ use crate::paper::Kind;
 use crate::verdict::{Verdict, prove_minimum};
 use std::fmt::Write;
 
-/// The whole report; the pixel paper's figures stand in its section, the others together.
-pub(super) fn report(study: &Study, figures: &[Figure], of_pixels: &[Figure]) -> String {
+/// The whole report; the pixel paper's figures and those of rounding stand in their sections, the others together.
+pub(super) fn report(
+    study: &Study,
+    figures: &[Figure],
+    of_pixels: &[Figure],
+    of_stability: &[Figure],
+) -> String {
     let mut text = String::from(
         "# The lobe and the pixel paper, verified\n\n\
          Written by `bellfit` (`cargo run --release`); every number here is computed, and stands with all its \
@@ -40,6 +46,7 @@ pub(super) fn report(study: &Study, figures: &[Figure], of_pixels: &[Figure]) ->
     energy::sections(study, &mut text);
     text.push_str(&pixel::section(&study.pixel, of_pixels));
     filter_section::section(&study.filters, &mut text);
+    stability_section::section(&study.stability, of_stability, &mut text);
     text.push_str("\n## Plots\n");
     for Figure { stem, alt, .. } in figures {
         let _ = write!(text, "\n![{alt}](plots/{stem}.png)\n\n*{alt}* ([SVG](plots/{stem}.svg))\n");

@@ -21,6 +21,8 @@ mod number;
 mod pixel;
 mod readme;
 mod sample;
+mod stability_section;
+mod stability_table;
 mod study;
 mod summary;
 mod suprema;

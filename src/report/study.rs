@@ -10,6 +10,7 @@ use crate::integral::{Case, Disagreement, Limit, Lobe};
 use crate::kernel::model::Model;
 use crate::paper::{ClaimsError, ClaimsFile, Kind, Printed};
 use crate::scene::{Comparison, SceneError};
+use crate::stability::Stability;
 use crate::verdict::{Expectations, ExpectedError, Judge, Judgement};
 use std::time::Duration;
 use thiserror::Error;
@@ -110,6 +111,8 @@ pub struct Study {
     pub pixel: PixelStudy,
     /// Texture filters on the built-in scenes.
     pub filters: Vec<Comparison>,
+    /// What rounding does at the extremes.
+    pub stability: Stability,
     /// The claims.
     pub claims: ClaimsFile,
     /// Their verdicts.
@@ -140,6 +143,7 @@ impl Study {
         let Better { exponential, cosine, cubic_factors, albedos, albedo_curves } =
             better.map_err(|_| StudyError::Worker)??;
         let filters = clock.time("texture filters", filter_comparisons)?;
+        let stability = clock.time("stability", Stability::run).ok_or(StudyError::Worker)?;
         Ok(Study {
             integrals,
             fits,
@@ -154,6 +158,7 @@ impl Study {
             albedo_curves,
             pixel,
             filters,
+            stability,
             claims,
             judgements,
             expectations,

@@ -29,11 +29,13 @@ mod pixel;
 mod render;
 mod residual;
 mod sample;
+mod stability;
 
 pub use albedo::albedo_degrees;
 pub use error::FigureError;
 pub use pixel::{Pixel, pixel};
 pub use render::render;
+pub use stability::stability;
 
 use super::chart::Chart;
 use crate::fit::bell::{CosineBell, ExponentialBell};
@@ -165,8 +167,9 @@ mod tests {
         let mut drawn = figures(&lines()).unwrap();
         drawn.extend(better_figures());
         drawn.extend(pixel_figures());
+        drawn.extend(stability(&crate::stability::Stability::run().unwrap()));
         let stems: BTreeSet<_> = drawn.iter().map(|f| f.stem).collect();
-        assert_eq!((drawn.len(), stems.len()), (22, 22));
+        assert_eq!((drawn.len(), stems.len()), (27, 27));
         for figure in &drawn {
             assert!(figure.alt.ends_with('.') && figure.alt.len() > 40, "{}", figure.stem);
         }
