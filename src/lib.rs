@@ -40,6 +40,8 @@ pub mod slice;
 #[cfg(feature = "toolkit")]
 pub mod stability;
 #[cfg(feature = "toolkit")]
+pub mod trade;
+#[cfg(feature = "toolkit")]
 pub mod verdict;
 
 /// The README's examples, compiled and run with the others.

@@ -7,7 +7,7 @@ use crate::kernel::stand_in::Argument;
 pub enum Format {
     /// IEEE 754 binary16, every operation rounded to it.
     Half,
-    /// binary16 for what is stored, arguments, constants and result; binary32 for the arithmetic between.
+    /// binary16 for what is stored, arguments and results; binary32 for constants and for the arithmetic between.
     HalfStored,
     /// binary32.
     Single,

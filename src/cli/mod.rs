@@ -4,6 +4,7 @@ mod fit;
 mod render;
 mod reproduce;
 mod sample;
+mod trade;
 mod verify;
 
 use anyhow::Result;
@@ -35,6 +36,7 @@ pub enum Outcome {
   bellfit sample texture.png --at 10,20 --jacobian 3,1,-1,2
                                      one texture lookup under a pixel
   bellfit render --image texture.png every texture filter on a plane, and its error
+  bellfit trade --quick              speed against accuracy on this machine
 
 Exit code: 0 as expected, 1 a verdict, bound or file differs, 2 bad input or usage."
 )]
@@ -52,6 +54,7 @@ enum Command {
     Fit(fit::Arguments),
     Sample(sample::Arguments),
     Render(render::Arguments),
+    Trade(trade::Arguments),
 }
 
 impl Cli {
@@ -68,6 +71,7 @@ impl Cli {
             Some(Command::Fit(arguments)) => fit::run(&arguments),
             Some(Command::Sample(arguments)) => sample::run(&arguments),
             Some(Command::Render(arguments)) => render::run(&arguments),
+            Some(Command::Trade(arguments)) => trade::run(&arguments),
         }
     }
 }

@@ -5,6 +5,7 @@ use crate::report::{filter_files, filter_lines, measured_files};
 use crate::scene::{
     BUILT_IN, Comparison, EXAMPLE_SCENE, Pattern, Scene, SceneFile, Technique, Transfer, View, time_lookups,
 };
+use crate::trade::processor;
 use anyhow::{Result, anyhow, bail};
 use clap::Args;
 use std::io::IsTerminal;
@@ -89,7 +90,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome> {
             timings.push(time_lookups(&View::new(scene)?, techniques, STRIDE, ROUNDS)?);
             done("times");
         }
-        let (files, lines) = measured_files(&compared, &timings, STRIDE, &machine())?;
+        let (files, lines) = measured_files(&compared, &timings, STRIDE, &processor())?;
         text.push_str(&lines);
         files
     } else {
@@ -138,11 +139,4 @@ fn read(path: &Path) -> Result<(Scene, Vec<Technique>)> {
     let SceneFile { scene, techniques } =
         SceneFile::parse(&text, &stem, folder).map_err(|error| anyhow!("{name}: {error}"))?;
     Ok((scene, techniques))
-}
-
-/// The processor's name, where the system tells it.
-fn machine() -> String {
-    let info = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let model = info.lines().find_map(|line| line.strip_prefix("model name")?.split_once(':'));
-    model.map_or_else(|| std::env::consts::ARCH.to_owned(), |(_, name)| name.trim().to_owned())
 }

@@ -6,6 +6,7 @@ use super::figures::{Figure, render};
 use super::tables::csv_bytes;
 use crate::kernel::pixel::Padding;
 use crate::scene::{Comparison, Technique, Timing};
+use crate::trade::file_name;
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -65,15 +66,10 @@ pub fn measured_files(
         let _ = writeln!(terminal, "{scene:<12} {technique:<34} {nanoseconds:>9.1} ns  {gaussian_rmse:.4}");
     }
     let mut files = Artifacts::default();
-    let name: Vec<String> = machine
-        .split(|c: char| !c.is_ascii_alphanumeric())
-        .filter(|word| !word.is_empty())
-        .map(str::to_lowercase)
-        .collect();
     for (name, bytes) in render(&[figure(&lines, machine)])? {
         files.insert(&name, bytes);
     }
-    files.insert(&format!("filter-{}.csv", name.join("-")), csv_bytes(lines)?);
+    files.insert(&format!("filter-{}.csv", file_name(machine)), csv_bytes(lines)?);
     files.insert("filter.md", report.into_bytes());
     Ok((files, terminal))
 }

@@ -11,6 +11,7 @@ use super::stability_section;
 use super::study::{NearestRow, Study, case};
 use super::summary::{Group, Summary, summaries, summaries_of};
 use super::table_one;
+use super::trade_words;
 use crate::bound::Interval;
 use crate::fit::Objective;
 use crate::integral::{Limit, Lobe};
@@ -47,6 +48,7 @@ pub(super) fn report(
     text.push_str(&pixel::section(&study.pixel, of_pixels));
     filter_section::section(&study.filters, &mut text);
     stability_section::section(&study.stability, of_stability, &mut text);
+    text.push_str(trade_words::SECTION);
     text.push_str("\n## Plots\n");
     for Figure { stem, alt, .. } in figures {
         let _ = write!(text, "\n![{alt}](plots/{stem}.png)\n\n*{alt}* ([SVG](plots/{stem}.svg))\n");

@@ -29,6 +29,10 @@ mod suprema;
 mod table_one;
 mod tables;
 mod terminal;
+mod trade_figure;
+mod trade_files;
+mod trade_table;
+mod trade_words;
 
 pub use artifacts::{ArtifactError, Artifacts};
 pub use filter_images::filter_files;
@@ -39,3 +43,5 @@ pub use sample::{SampleRow, sample_json, sample_lines};
 pub use study::{NearestRow, PrintedFactor, Study, StudyError, SupremumRow};
 pub use tables::judgements_json;
 pub use terminal::{factor_json, factor_lines, fit_json, fit_lines, judgement_lines, verdict_lines};
+pub use trade_files::trade_files;
+pub use trade_table::trade_lines;
