@@ -7,7 +7,8 @@ use crate::kernel::stand_in::Argument;
 pub enum Format {
     /// IEEE 754 binary16, every operation rounded to it.
     Half,
-    /// binary16 for what is stored, arguments and results; binary32 for constants and for the arithmetic between.
+    /// binary16 for what is stored, arguments and result; binary32 for the arithmetic between and for a material's
+    /// constants.
     HalfStored,
     /// binary32.
     Single,

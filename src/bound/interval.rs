@@ -43,6 +43,8 @@ impl From<f64> for Interval {
 impl Interval {
     /// All real numbers.
     pub const WHOLE: Interval = Interval { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
+    /// 0 alone.
+    pub const ZERO: Interval = Interval { lo: 0.0, hi: 0.0 };
     /// π, which lies just above the double of that name.
     pub const PI: Interval = Interval { lo: core::f64::consts::PI, hi: core::f64::consts::PI.next_up() };
     /// ln 2, which lies just above the double of that name.

@@ -1,6 +1,7 @@
 //! Rigorous enclosures: of Int(n), of a residual over all n, of a lobe's distance from another
 //! over all arguments. Nothing here estimates.
 
+mod approximation;
 mod bell;
 mod clipped;
 mod curve;
@@ -19,14 +20,20 @@ mod integrals;
 mod interval;
 mod jet;
 mod lobe_integral;
+mod measure;
 mod multivariate;
 mod polynomial;
 mod quadrature;
 mod residual;
+mod rounded;
+mod rounding;
 mod scaled_bell;
+mod scaled_versine;
 mod search;
+mod taylor;
 mod weight;
 
+pub use approximation::approximation;
 pub use bell::{BellProof, cosine_bell, exponential_bell};
 pub use clipped::{ClippedPixel, clip_distance};
 pub use curve::{Curve, curved_range};
@@ -45,10 +52,12 @@ pub use integrals::{IntegralRow, IntegralTable, integral_enclosure};
 pub use interval::Interval;
 pub use jet::{Jet, range};
 pub use lobe_integral::LobeIntegral;
+pub use measure::Measure;
 pub use multivariate::Multivariate;
 pub use polynomial::{Coefficient, Exponents, Polynomial};
 pub use quadrature::EnclosedRule;
 pub use residual::{Extreme, Extremes, Residual, normalises_exactly};
+pub use rounding::{ELEMENTARY_ULPS, assumes_elementary, rounding, rounding_with};
 pub use scaled_bell::{BestScale, best_scale, scaled_bell_excess};
 pub use search::{Supremum, infimum, supremum, supremum_near, supremum_until};
 pub use weight::{BellTerms, WeightRegion};

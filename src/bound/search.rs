@@ -68,7 +68,8 @@ pub fn supremum_until<const D: usize>(
 ) -> Supremum<D> {
     let corners =
         |cell: &[Interval; D]| vec![cell.map(Interval::lo), cell.map(Interval::hi), cell.map(Interval::mid)];
-    search(f, domain, corners, &[], enough, most)
+    let scale = domain.map(Interval::width);
+    search(f, domain, corners, |cell| widest(cell, &scale), &[], enough, most)
 }
 
 /// [`supremum`] where points near the supremum are known: these are looked at first (those outside the
@@ -81,13 +82,29 @@ pub fn supremum_near<const D: usize>(
     most: usize,
 ) -> Supremum<D> {
     let enough = |best: f64, upper: f64| upper <= best + tolerance;
-    search(f, domain, |cell| vec![cell.map(Interval::mid)], seeds, enough, most)
+    let scale = domain.map(Interval::width);
+    let middle = |cell: &[Interval; D]| vec![cell.map(Interval::mid)];
+    search(f, domain, middle, |cell| widest(cell, &scale), seeds, enough, most)
+}
+
+/// [`supremum_until`] where the caller chooses the side along which a box is halved, and the points of it that
+/// are looked at.
+pub(super) fn supremum_split<const D: usize>(
+    f: impl Fn(&[Interval; D]) -> Interval,
+    domain: [Interval; D],
+    points: impl Fn(&[Interval; D]) -> Vec<[f64; D]>,
+    side: impl Fn(&[Interval; D]) -> usize,
+    enough: impl Fn(f64, f64) -> bool,
+    most: usize,
+) -> Supremum<D> {
+    search(f, domain, points, side, &[], enough, most)
 }
 
 fn search<const D: usize>(
     f: impl Fn(&[Interval; D]) -> Interval,
     domain: [Interval; D],
     points: impl Fn(&[Interval; D]) -> Vec<[f64; D]>,
+    side: impl Fn(&[Interval; D]) -> usize,
     seeds: &[[f64; D]],
     enough: impl Fn(f64, f64) -> bool,
     most: usize,
@@ -114,7 +131,7 @@ fn search<const D: usize>(
         if enough(best, top.upper) || boxes >= most {
             break top.upper.max(best);
         }
-        let side = widest(&top.cell, &domain);
+        let side = side(&top.cell);
         let (left, right) = top.cell[side].bisect();
         if left.width() == 0.0 || right.width() == 0.0 {
             break top.upper; // as fine as doubles go
@@ -145,10 +162,11 @@ pub fn infimum<const D: usize>(
     Supremum { value: -negated.value, ..negated }
 }
 
-fn widest<const D: usize>(cell: &[Interval; D], domain: &[Interval; D]) -> usize {
+/// The side of a box that is widest by a scale, of those that can be halved.
+pub(super) fn widest<const D: usize>(cell: &[Interval; D], scale: &[f64; D]) -> usize {
     let share = |k: usize| {
         let splits = cell[k].lo() < cell[k].mid() && cell[k].mid() < cell[k].hi();
-        if splits { cell[k].width() / domain[k].width() } else { 0.0 }
+        if splits { cell[k].width() / scale[k] } else { 0.0 }
     };
     (0..D).fold(0, |best, k| if share(k) > share(best) { k } else { best })
 }

@@ -1,6 +1,7 @@
 //! What may stand for cosⁿ, as a value: for programs that choose at run time.
 
-use super::cubic::CubicLobe;
+use super::constants::{CUBIC_COS_N, LINEAR_COS_N};
+use super::cubic::{BellFormula, CubicLobe};
 use super::exact::Cost;
 use super::linear::LinearLobe;
 use super::lobe::{
@@ -132,6 +133,22 @@ impl StandIn {
             StandIn::Cubic8 => Some((8, 3)),
             _ => None,
         }
+    }
+
+    /// The bell's formula over n, with the coefficients as adopted; `None` for what is no bell.
+    ///
+    /// ```
+    /// use bellfit::kernel::stand_in::StandIn;
+    /// let formula = StandIn::Cs16.formula().unwrap();
+    /// assert_eq!((formula.power, formula.at(64.0)), (16, (16.0, 0.0, 0.0)));
+    /// ```
+    pub fn formula(self) -> Option<BellFormula> {
+        let (power, degree) = self.bell()?;
+        if self == StandIn::Cs16 {
+            return Some(BellFormula { power, reach: [16.0, 0.0, 0.0], linear: [0.0; 3], square: [0.0; 3] });
+        }
+        let rows = if degree == 3 { &CUBIC_COS_N[..] } else { &LINEAR_COS_N[..] };
+        rows.iter().find(|row| row.power == power).copied()
     }
 
     /// Whether it is cosⁿ itself but for rounding.
