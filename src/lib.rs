@@ -21,6 +21,8 @@
 #[cfg(feature = "toolkit")]
 pub mod bound;
 #[cfg(feature = "toolkit")]
+pub mod choose;
+#[cfg(feature = "toolkit")]
 pub mod cli;
 #[cfg(feature = "toolkit")]
 pub mod filter;

@@ -1,5 +1,6 @@
 //! The command line: one file a subcommand, no numerics.
 
+mod choose;
 mod fit;
 mod render;
 mod reproduce;
@@ -16,7 +17,7 @@ use std::io::Write;
 pub enum Outcome {
     /// Everything is as expected: 0.
     AsExpected,
-    /// A verdict, bound or regenerated file differs: 1.
+    /// A verdict, bound or regenerated file differs, or nothing qualifies: 1.
     Differs,
 }
 
@@ -33,12 +34,14 @@ pub enum Outcome {
   bellfit --check                    compare them with what would be generated, write nothing
   bellfit verify my-claims.toml      judge your own claims
   bellfit fit --model blinn-phong    the best linear factor for a model
+  bellfit choose --n 16..256 --max-error 1e-3 --float f32
+                                     the cheapest lobe inside a scene's needs
   bellfit sample texture.png --at 10,20 --jacobian 3,1,-1,2
                                      one texture lookup under a pixel
   bellfit render --image texture.png every texture filter on a plane, and its error
   bellfit trade --quick              speed against accuracy on this machine
 
-Exit code: 0 as expected, 1 a verdict, bound or file differs, 2 bad input or usage."
+Exit code: 0 as expected, 1 a verdict, bound or file differs or nothing qualifies, 2 bad input or usage."
 )]
 pub struct Cli {
     #[command(subcommand)]
@@ -52,6 +55,7 @@ enum Command {
     Reproduce(reproduce::Arguments),
     Verify(verify::Arguments),
     Fit(fit::Arguments),
+    Choose(choose::Arguments),
     Sample(sample::Arguments),
     Render(render::Arguments),
     Trade(trade::Arguments),
@@ -69,6 +73,7 @@ impl Cli {
             Some(Command::Reproduce(arguments)) => reproduce::run(&arguments),
             Some(Command::Verify(arguments)) => verify::run(&arguments),
             Some(Command::Fit(arguments)) => fit::run(&arguments),
+            Some(Command::Choose(arguments)) => choose::run(&arguments),
             Some(Command::Sample(arguments)) => sample::run(&arguments),
             Some(Command::Render(arguments)) => render::run(&arguments),
             Some(Command::Trade(arguments)) => trade::run(&arguments),

@@ -1,6 +1,6 @@
 //! Scene files: read, and every error told with its place.
 
-use super::{Camera, Pattern, Scene, SceneError, Technique, Transfer};
+use super::{Camera, Pattern, Places, Scene, SceneError, Technique, Transfer};
 use crate::filter::Wrap;
 use serde::Deserialize;
 use std::path::Path;
@@ -87,19 +87,9 @@ impl SceneFile {
     /// # Errors
     /// [`SceneFileError`] for anything unknown, missing, out of its domain or unreadable, with its place.
     pub fn parse(text: &str, name: &str, folder: &Path) -> Result<Self, SceneFileError> {
-        let place = |at: usize, message: String| {
-            let end = (0..=at.min(text.len())).rev().find(|&i| text.is_char_boundary(i)).unwrap_or(0);
-            let before = &text[..end];
-            let line = before.matches('\n').count() + 1;
-            let column = before.rsplit('\n').next().map_or(0, |l| l.chars().count()) + 1;
-            // What the file says is quoted: a control character in it is shown, not sent.
-            let show = |c: char| if c.is_control() { c.escape_default().to_string() } else { c.to_string() };
-            SceneFileError { line, column, message: message.chars().map(show).collect() }
-        };
-        let raw: RawFile = toml::from_str(text).map_err(|error| {
-            let message = error.message().lines().collect::<Vec<_>>().join(", ");
-            place(error.span().map_or(0, |span| span.start), message)
-        })?;
+        let places = Places(text);
+        let place = |at: usize, message: String| places.error(at, message);
+        let raw: RawFile = toml::from_str(text).map_err(|error| places.of_toml(&error))?;
         if *raw.version.get_ref() != VERSION {
             let message = format!("version {}: this program reads {VERSION}", raw.version.get_ref());
             return Err(place(raw.version.span().start, message));

@@ -1,0 +1,199 @@
+//! `bellfit choose`.
+
+use super::{Outcome, known, print};
+use crate::bound::{ELEMENTARY_ULPS, Format, Handed, Measure};
+use crate::choose::{
+    ANGLE_WORDS, Costs, ENERGY_ERROR, ENERGY_WORDS, EXAMPLE_NEEDS, EnergyDemand, Exponents, FLOOR, Need,
+    NeedError, SceneNeeds, Weights, choose, energy_from_word, handed_from_word,
+};
+use crate::kernel::model::Model;
+use crate::kernel::stand_in::StandIn;
+use crate::report::{choice_json, choice_lines, scene_choice_json, scene_choice_lines};
+use anyhow::{Result, anyhow, bail};
+use clap::Args;
+use std::path::{Path, PathBuf};
+
+/// Find the cheapest lobe that stands for cosⁿ within a scene's needs, with its proof.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  bellfit choose --n 16..1024 --max-error 1e-3 --float f32 --angle difference
+  bellfit choose --roughness 0.1..0.4 --max-error 0.05 --relative --float f32 --no-transcendental
+  bellfit choose --n 16..64 --max-error 0.02 --float f16 --angle difference --model phong --energy never-gains
+  bellfit choose --example > needs.toml; bellfit choose needs.toml
+
+The error is that against cosⁿ over every angle and every n, the rounding of the format included; what is printed
+is an upper bound. fails: an argument is known where the error is larger than allowed; not proved: none is known.
+
+Exit code: 0 if something qualifies (in a file: for every material), 1 if nothing does, 2 bad input.")]
+pub struct Arguments {
+    /// A file (TOML, version = 1) with the needs of a whole scene.
+    #[arg(value_name = "SCENE", conflicts_with_all = [
+        "n", "roughness", "whole", "max_error", "relative", "float", "angle", "model", "energy", "no_division",
+        "no_transcendental", "ulps", "kernel",
+    ])]
+    scene: Option<PathBuf>,
+    /// The specular exponents, ends included, or one: 1 to 1e12.
+    #[arg(long, value_name = "A..B", allow_hyphen_values = true, conflicts_with = "roughness")]
+    n: Option<String>,
+    /// Beckmann's roughness α in (0, 1], for n = 2/α² - 2 (Walter et al., EGSR 2007).
+    #[arg(long, value_name = "A..B", allow_hyphen_values = true)]
+    roughness: Option<String>,
+    /// Whole n alone.
+    #[arg(long)]
+    whole: bool,
+    /// The largest error, of the peak, which is 1.
+    #[arg(long, value_name = "E", allow_hyphen_values = true)]
+    max_error: Option<f64>,
+    /// The error is of the value, where that is at least the floor.
+    #[arg(long)]
+    relative: bool,
+    /// The part of the peak from which a relative error counts; 1/256 if not given.
+    #[arg(long, value_name = "F", allow_hyphen_values = true, requires = "relative")]
+    floor: Option<f64>,
+    /// The arithmetic: f16 (each operation rounded), f16-stored (stored so, computed in f32), f32 or f64.
+    #[arg(long, value_name = "FLOAT", value_parser = format)]
+    float: Option<Format>,
+    /// What is handed over: cos, versine (1 - cos θ) or difference (|a - b|²/2 of unit vectors); cos if not
+    /// given.
+    #[arg(long, value_name = "ANGLE", value_parser = angle)]
+    angle: Option<Handed>,
+    /// The model whose factor comes along: phong, phong-modified, blinn-phong, blinn-phong-modified,
+    /// blinn-phong-ndf or blinn-phong-heightfield.
+    #[arg(long, value_name = "MODEL", value_parser = model)]
+    model: Option<Model>,
+    /// never-gains: ∫ ≤ 1, lobe and factor together; unbiased: |∫ - 1| at most the energy's error.
+    #[arg(long, value_name = "ENERGY", value_parser = energy)]
+    energy: Option<EnergyDemand>,
+    /// The largest |∫ - 1| of what is unbiased; 1e-3 if not given.
+    #[arg(long, value_name = "E", allow_hyphen_values = true, requires = "energy")]
+    energy_error: Option<f64>,
+    /// No kernel that divides.
+    #[arg(long)]
+    no_division: bool,
+    /// No kernel that takes pow, an exponential or a logarithm.
+    #[arg(long)]
+    no_transcendental: bool,
+    /// Units in the last place within which exp, exp2, log2, log1p and pow are; 1 if not given.
+    #[arg(long, value_name = "U", allow_hyphen_values = true)]
+    ulps: Option<f64>,
+    /// One kernel alone, by its name.
+    #[arg(long, value_name = "ID", value_parser = kernel)]
+    kernel: Option<StandIn>,
+    /// What a division and a transcendental cost, in operations; 6,10 if not given.
+    #[arg(long, value_name = "D,T", allow_hyphen_values = true, value_parser = weights)]
+    weights: Option<Weights>,
+    /// Print one JSON object.
+    #[arg(long)]
+    json: bool,
+    /// Print a commented file to start from.
+    #[arg(long, exclusive = true)]
+    example: bool,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<Outcome> {
+    if arguments.example {
+        print(EXAMPLE_NEEDS)?;
+        return Ok(Outcome::AsExpected);
+    }
+    let costs = Costs { weights: arguments.weights.unwrap_or_default(), measured: None };
+    let (text, is_met) = match &arguments.scene {
+        Some(path) => {
+            let answer = read(path)?.answer(&costs)?;
+            let json = arguments.json;
+            let text =
+                if json { scene_choice_json(&answer, &costs)? } else { scene_choice_lines(&answer, &costs) };
+            (text, answer.is_met())
+        }
+        None => {
+            let answer = choose(&arguments.need()?, &costs)?;
+            let text =
+                if arguments.json { choice_json(&answer, &costs)? } else { choice_lines(&answer, &costs) };
+            (text, answer.best().is_some())
+        }
+    };
+    print(&text)?;
+    Ok(if is_met { Outcome::AsExpected } else { Outcome::Differs })
+}
+
+fn read(path: &Path) -> Result<SceneNeeds> {
+    let name = path.display();
+    if path.is_dir() {
+        bail!("{name}: a folder, not a file of needs");
+    }
+    let bytes = std::fs::read(path).map_err(|error| {
+        let text = error.to_string();
+        anyhow!("{name}: {}", text.split(" (os error").next().unwrap_or(&text).to_lowercase())
+    })?;
+    let text = String::from_utf8(bytes).map_err(|_| anyhow!("{name}: not UTF-8 text"))?;
+    SceneNeeds::parse(&text).map_err(|error| anyhow!("{name}: {error}"))
+}
+
+impl Arguments {
+    fn need(&self) -> Result<Need> {
+        let mut n = match (&self.n, &self.roughness) {
+            (Some(n), _) => n.parse::<Exponents>()?,
+            (None, Some(roughness)) => Exponents::parse_roughness(roughness)?,
+            (None, None) => bail!("--n A..B or --roughness A..B, or a file, is needed"),
+        };
+        if self.whole {
+            n = n.whole_only().ok_or(NeedError::NoWhole { range: n })?;
+        }
+        let max_error = self.max_error.ok_or_else(|| anyhow!("--max-error E is needed"))?;
+        let format = self.float.ok_or_else(|| anyhow!("--float f16, f16-stored, f32 or f64 is needed"))?;
+        let energy = match (self.energy, self.energy_error) {
+            (Some(EnergyDemand::Unbiased { .. }), Some(error)) => Some(EnergyDemand::Unbiased { error }),
+            (Some(EnergyDemand::NeverGains), Some(_)) => {
+                bail!("--energy-error: of no use with --energy never-gains, only with unbiased")
+            }
+            (energy, _) => energy,
+        };
+        if let (Some(energy), None) = (energy, self.model) {
+            bail!("--energy {}: --model is needed, whose integral it is of", energy.id());
+        }
+        let floor = self.floor.unwrap_or(FLOOR);
+        let need = Need {
+            measure: if self.relative { Measure::Relative { floor } } else { Measure::Absolute },
+            format,
+            handed: self.angle.unwrap_or(Handed::Cosine),
+            model: self.model,
+            energy,
+            division: !self.no_division,
+            transcendental: !self.no_transcendental,
+            ulps: self.ulps.unwrap_or(ELEMENTARY_ULPS),
+            only: self.kernel,
+            ..Need::new(n, max_error)
+        };
+        need.check().map_err(|error| anyhow!("--{error}"))?;
+        Ok(need)
+    }
+}
+
+fn format(word: &str) -> Result<Format, String> {
+    known(Format::from_id(word), Format::ALL.map(Format::id))
+}
+
+fn angle(word: &str) -> Result<Handed, String> {
+    known(handed_from_word(word), ANGLE_WORDS)
+}
+
+fn model(word: &str) -> Result<Model, String> {
+    known(Model::from_id(word), Model::ALL.map(Model::id))
+}
+
+fn energy(word: &str) -> Result<EnergyDemand, String> {
+    known(energy_from_word(word, ENERGY_ERROR), ENERGY_WORDS)
+}
+
+fn kernel(word: &str) -> Result<StandIn, String> {
+    known(StandIn::from_id(word), StandIn::ALL.map(StandIn::id))
+}
+
+fn weights(text: &str) -> Result<Weights, String> {
+    let problem =
+        || "two numbers of operations, of a division and of a transcendental, are needed".to_owned();
+    let (division, transcendental) = text.split_once(',').ok_or_else(problem)?;
+    let read = |word: &str| word.trim().parse::<f64>().map_err(|_| problem());
+    let weights = Weights { division: read(division)?, transcendental: read(transcendental)? };
+    weights.check().map_err(|error| error.to_string())?;
+    Ok(weights)
+}
