@@ -38,6 +38,8 @@ pub mod report;
 #[cfg(feature = "toolkit")]
 pub mod scene;
 #[cfg(feature = "toolkit")]
+pub mod shader;
+#[cfg(feature = "toolkit")]
 pub mod slice;
 #[cfg(feature = "toolkit")]
 pub mod stability;
