@@ -57,7 +57,7 @@ impl Bell {
 /// assert_eq!(out, [1.0, 0.0625, 0.0]);
 /// # Ok::<(), bellfit::slice::LengthError>(())
 /// ```
-#[inline]
+#[inline(always)] // a slice of one must not cost a call more than the scalar
 pub fn bell<F: Float>(bell: Bell, t: &[F], out: &mut [F]) -> Result<(), LengthError> {
     route::across(Unit::best, Function::Bell(bell), t, out)
 }
@@ -70,7 +70,7 @@ pub fn bell<F: Float>(bell: Bell, t: &[F], out: &mut [F]) -> Result<(), LengthEr
 /// bell_in_place(Bell::Exponential, &mut t);
 /// assert!(t[0] == 1.0 && (t[1] - libm::exp(-1.0)).abs() < 1e-16 && t[2] == 0.0);
 /// ```
-#[inline]
+#[inline(always)] // a slice of one must not cost a call more than the scalar
 pub fn bell_in_place<F: Float>(bell: Bell, t: &mut [F]) {
     route::within(Unit::best, Function::Bell(bell), t);
 }
@@ -84,7 +84,7 @@ pub fn bell_in_place<F: Float>(bell: Bell, t: &mut [F]) {
 /// use bellfit::slice::{Bell, bell_sum};
 /// assert_eq!(bell_sum(Bell::Lyon(2), &[0.0, 1.0], &[3.0, 8.0]), Ok(5.0));
 /// ```
-#[inline]
+#[inline(always)] // a slice of one must not cost a call more than the scalar
 pub fn bell_sum<F: Float>(bell: Bell, t: &[F], weights: &[F]) -> Result<F, LengthError> {
     route::sum(Unit::best, Function::Bell(bell), t, weights)
 }

@@ -59,7 +59,7 @@ fn only<F: Float>(lobe: StandIn, argument: Argument, n: Exponents<'_, F>, x: &[F
 /// assert_eq!(error.unwrap_err().name, "n");
 /// # Ok::<(), bellfit::slice::LengthError>(())
 /// ```
-#[inline]
+#[inline(always)] // a slice of one must not cost a call more than the scalar
 pub fn lobe<F: Float>(
     lobe: StandIn,
     argument: Argument,
@@ -87,7 +87,7 @@ pub fn lobe<F: Float>(
 /// assert_eq!(x, [0.125, 0.5]);
 /// # Ok::<(), bellfit::slice::LengthError>(())
 /// ```
-#[inline]
+#[inline(always)] // a slice of one must not cost a call more than the scalar
 pub fn lobe_in_place<F: Float>(
     lobe: StandIn,
     argument: Argument,
@@ -115,7 +115,7 @@ pub fn lobe_in_place<F: Float>(
 /// let (c, light) = ([1.0, 0.5], [3.0, 65536.0]);
 /// assert_eq!(lobe_sum(StandIn::Cs16, Argument::Cosine, Exponents::One(16.0), &c, &light), Ok(4.0));
 /// ```
-#[inline]
+#[inline(always)] // a slice of one must not cost a call more than the scalar
 pub fn lobe_sum<F: Float>(
     lobe: StandIn,
     argument: Argument,

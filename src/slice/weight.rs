@@ -21,7 +21,7 @@ use crate::kernel::pixel::PixelWeight;
 /// assert_eq!(out, [1.0, 0.00390625, 0.0]); // (1 - 1/2)^8
 /// # Ok::<(), bellfit::slice::LengthError>(())
 /// ```
-#[inline]
+#[inline(always)] // a slice of one must not cost a call more than the scalar
 pub fn weight<F: Float>(weight: PixelWeight<F>, q: &[F], out: &mut [F]) -> Result<(), LengthError> {
     route::across(Unit::best, Function::Weight(weight), q, out)
 }
@@ -34,7 +34,7 @@ pub fn weight<F: Float>(weight: PixelWeight<F>, q: &[F], out: &mut [F]) -> Resul
 /// bellfit::slice::weight_in_place(PixelWeight::Bell(2, 1.0), &mut q);
 /// assert_eq!(q, [1.0, 0.25, 0.0]);
 /// ```
-#[inline]
+#[inline(always)] // a slice of one must not cost a call more than the scalar
 pub fn weight_in_place<F: Float>(weight: PixelWeight<F>, q: &mut [F]) {
     route::within(Unit::best, Function::Weight(weight), q);
 }
@@ -49,7 +49,7 @@ pub fn weight_in_place<F: Float>(weight: PixelWeight<F>, q: &mut [F]) {
 /// let sum = bellfit::slice::weight_sum(PixelWeight::Bell(2, 1.0), &[0.0, 2.0], &[3.0, 8.0]);
 /// assert_eq!(sum, Ok(5.0));
 /// ```
-#[inline]
+#[inline(always)] // a slice of one must not cost a call more than the scalar
 pub fn weight_sum<F: Float>(weight: PixelWeight<F>, q: &[F], weights: &[F]) -> Result<F, LengthError> {
     route::sum(Unit::best, Function::Weight(weight), q, weights)
 }
@@ -68,7 +68,7 @@ pub fn weight_sum<F: Float>(weight: PixelWeight<F>, q: &[F], weights: &[F]) -> R
 /// assert_eq!(out, [1.0 / 65536.0]); // (1 - 1/2)^8 twice
 /// # Ok::<(), bellfit::slice::LengthError>(())
 /// ```
-#[inline]
+#[inline(always)] // a slice of one must not cost a call more than the scalar
 pub fn weight_of_two<F: Float>(
     weight: PixelWeight<F>,
     aa: &[F],
@@ -91,7 +91,7 @@ pub fn weight_of_two<F: Float>(
 /// assert_eq!(aa, [0.00390625, 0.0]);
 /// # Ok::<(), bellfit::slice::LengthError>(())
 /// ```
-#[inline]
+#[inline(always)] // a slice of one must not cost a call more than the scalar
 pub fn weight_of_two_in_place<F: Float>(
     weight: PixelWeight<F>,
     aa: &mut [F],
@@ -110,7 +110,7 @@ pub fn weight_of_two_in_place<F: Float>(
 /// let sum = bellfit::slice::weight_of_two_sum(PixelWeight::Bell(2, 1.0), &[1.0], &[1.0], &[8.0]);
 /// assert_eq!(sum, Ok(2.0)); // (1 - 1/2)² · 8
 /// ```
-#[inline]
+#[inline(always)] // a slice of one must not cost a call more than the scalar
 pub fn weight_of_two_sum<F: Float>(
     weight: PixelWeight<F>,
     aa: &[F],
