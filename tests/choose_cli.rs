@@ -179,3 +179,64 @@ fn bad_input_is_one_line() {
     refused(&plain(&["--lobes"]), "--lobes");
     refused(&["--example", "--json"], "cannot be used with");
 }
+
+#[test]
+fn code_is_printed_for_the_best_and_nothing_for_none() {
+    let code =
+        answered(&plain(&["--angle", "difference", "--emit", "wgsl", "--with", "footprint,cubic-4"]), 0);
+    for part in ["fn cubic_4_lobe_versine(", "fn footprint_plain(", "fn footprint_q(", "16..256"] {
+        assert!(code.contains(part), "{part}\n{code}");
+    }
+    // The bound of the comment is the answer's, printed upwards.
+    let json: Value =
+        serde_json::from_str(&answered(&plain(&["--angle", "difference", "--json"]), 0)).unwrap();
+    let kernels = json["kernels"].as_array().unwrap();
+    let bound = kernels.iter().find(|k| k["id"] == "cubic-4").unwrap()["error_bound"].as_f64().unwrap();
+    let printed: f64 = code.split("<= ").nth(1).unwrap().split_whitespace().next().unwrap().parse().unwrap();
+    assert!(printed >= bound && printed < 1.001 * bound, "{printed} for {bound}");
+    for language in ["rust", "c", "glsl", "hlsl", "msl"] {
+        assert!(answered(&plain(&["--emit", language]), 0).contains("cubic"), "{language}");
+    }
+    let none = bellfit(&["--n", "16..256", "--max-error", "1e-12", "--float", "f32", "--emit", "c"]);
+    assert_eq!(none.status.code(), Some(1));
+    assert!(none.stdout.is_empty() && String::from_utf8_lossy(&none.stderr).contains("nothing qualifies"));
+    refused(&plain(&["--emit", "cobol"]), "rust, wgsl, glsl, hlsl, msl, c");
+    refused(&plain(&["--with", "footprint"]), "--emit");
+    refused(&plain(&["--emit", "c", "--with", "cubic-3"]), "cubic-3");
+    refused(
+        &["--n", "16..64", "--max-error", "0.1", "--float", "f16", "--angle", "difference", "--emit", "msl"],
+        "f16",
+    );
+}
+
+/// What never gains in f64 gains nothing in the code's own arithmetic either.
+#[test]
+fn an_emitted_factor_is_lowered_by_more_than_its_rounding() {
+    let needs = ["--model", "phong", "--energy", "never-gains", "--angle", "difference"];
+    let code = answered(&plain(&[&needs[..], &["--emit", "c"]].concat()), 0);
+    assert!(code.contains("Lowered by 1.9073e-6"), "{code}");
+    let plain_code = answered(&plain(&["--model", "phong", "--angle", "difference", "--emit", "c"]), 0);
+    assert!(!plain_code.contains("Lowered"), "{plain_code}");
+}
+
+/// The record's order, by nanoseconds, and another one by operations.
+#[test]
+fn a_record_ranks_by_its_times() {
+    let path = format!("{}/reports/measured/trade-amd-epyc.json", env!("CARGO_MANIFEST_DIR"));
+    let arguments = ["--n", "64", "--max-error", "0.5", "--float", "f32", "--json"];
+    let json: Value =
+        serde_json::from_str(&answered(&[&arguments[..], &["--trade", &path]].concat(), 0)).unwrap();
+    let record: Value = serde_json::from_str(&std::fs::read_to_string(&path).unwrap()).unwrap();
+    let time = |id: &str| {
+        let rows = record["rows"].as_array().unwrap();
+        let of = |row: &&Value| row["subject"] == id && row["format"] == "f32" && row["place"] == "cache";
+        rows.iter().find(of).map(|row| row["nanoseconds"].as_f64().unwrap())
+    };
+    let qualifying = json["kernels"].as_array().unwrap().iter().filter(|k| k["verdict"] == "qualifies");
+    let times: Vec<f64> = qualifying.filter_map(|k| time(k["id"].as_str().unwrap())).collect();
+    assert!(times.len() > 10, "{times:?}");
+    // squarings keep their operations and come after
+    assert!(times[..times.len() - 1].windows(2).all(|pair| pair[0] <= pair[1]), "{times:?}");
+    refused(&[&arguments[..], &["--trade", "Cargo.toml"]].concat(), "Cargo.toml: line 1");
+    refused(&[&arguments[..], &["--trade", "no-such.json"]].concat(), "no-such.json");
+}

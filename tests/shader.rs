@@ -31,7 +31,7 @@ fn pieces() -> Vec<Piece> {
             pieces.push(Piece::Lobe { stand_in, argument, error: None });
         }
         for model in Model::ALL {
-            pieces.push(Piece::Factor { model, stand_in });
+            pieces.push(Piece::Factor { model, stand_in, nudge: 0.0 });
         }
     }
     pieces.push(Piece::Footprint);
@@ -58,7 +58,7 @@ fn is_elementary(piece: &Piece) -> bool {
             StandIn::Cubic2 | StandIn::Cubic4 => *argument == Argument::Cosine,
             _ => false,
         },
-        Piece::Factor { model, stand_in } => {
+        Piece::Factor { model, stand_in, .. } => {
             stand_in.is_exact() && matches!(model, Model::BlinnPhong | Model::BlinnPhongModified)
         }
         Piece::Footprint => false,
@@ -263,15 +263,19 @@ fn constants_are_those_of_the_kernels() {
                 {
                     let mut constants = CUBIC_FACTOR[row][i].to_vec();
                     constants[4] *= std::f64::consts::PI;
-                    check(Piece::Factor { model, stand_in }, constants);
+                    check(Piece::Factor { model, stand_in, nudge: 0.0 }, constants);
                 }
             }
         }
     }
     // Of cs_16 the line's row is there; the exact form beside it has its own.
     for (i, model) in Model::ALL.into_iter().enumerate() {
-        let text =
-            emit(&[Piece::Factor { model, stand_in: StandIn::Cs16 }], Format::Double, Language::C).unwrap();
+        let text = emit(
+            &[Piece::Factor { model, stand_in: StandIn::Cs16, nudge: 0.0 }],
+            Format::Double,
+            Language::C,
+        )
+        .unwrap();
         let found = literals(&functions(&text, Language::C)[0].1);
         let [a, b, divisor] = CS16_ONE_SIDED[i];
         for c in [a, b, divisor * std::f64::consts::PI].into_iter().filter(|c| *c != 0.0) {

@@ -195,7 +195,7 @@ impl Surface {
         let pyramid = if shape.longest <= 1.0 { 0.0 } else { 1.0 };
         let parts = vec![
             part("pyramid", "bilinear filtering of level 0", pyramid),
-            part("anisotropy", "a round footprint, as trilinear filtering has", shape.round_error()),
+            part("anisotropy", "the round footprint of trilinear filtering", shape.round_error()),
             part("axes", "the lengths of the derivative vectors", shape.axes_error()),
         ];
         let weights: Vec<Dispensable> = weights()

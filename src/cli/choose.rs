@@ -1,6 +1,6 @@
 //! `bellfit choose`.
 
-use super::{Outcome, known, print};
+use super::{Outcome, emit, known, print};
 use crate::bound::{ELEMENTARY_ULPS, Format, Handed, Measure};
 use crate::choose::{
     ANGLE_WORDS, Costs, ENERGY_ERROR, ENERGY_WORDS, EXAMPLE_NEEDS, EnergyDemand, Exponents, FLOOR, Need,
@@ -9,6 +9,8 @@ use crate::choose::{
 use crate::kernel::model::Model;
 use crate::kernel::stand_in::StandIn;
 use crate::report::{choice_json, choice_lines, scene_choice_json, scene_choice_lines};
+use crate::shader::{Language, Piece};
+use crate::trade::Record;
 use anyhow::{Result, anyhow, bail};
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -19,7 +21,9 @@ use std::path::{Path, PathBuf};
   bellfit choose --n 16..1024 --max-error 1e-3 --float f32 --angle difference
   bellfit choose --roughness 0.1..0.4 --max-error 0.05 --relative --float f32 --no-transcendental
   bellfit choose --n 16..64 --max-error 0.02 --float f16 --angle difference --model phong --energy never-gains
+  bellfit choose --n 16..256 --max-error 0.01 --float f32 --model phong --emit wgsl > lobe.wgsl
   bellfit choose --example > needs.toml; bellfit choose needs.toml
+  bellfit trade --json > record.json; bellfit choose --n 64 --max-error 0.02 --float f32 --trade record.json
 
 The error is that against cosⁿ over every angle and every n, the rounding of the format included; what is printed
 is an upper bound. fails: an argument is known where the error is larger than allowed; not proved: none is known.
@@ -82,6 +86,18 @@ pub struct Arguments {
     /// What a division and a transcendental cost, in operations; 6,10 if not given.
     #[arg(long, value_name = "D,T", allow_hyphen_values = true, value_parser = weights)]
     weights: Option<Weights>,
+    /// A record of `bellfit trade --json`: kernels are ranked by nanoseconds a value over slices in cache, where it
+    /// has them, f32 and f64. Squarings are timed at one n alone and keep their operations.
+    #[arg(long, value_name = "FILE")]
+    trade: Option<PathBuf>,
+    /// Print the best kernel as code instead: rust, wgsl, glsl, hlsl, msl or c. With a file: every material's best,
+    /// and the footprint and weights of its surfaces.
+    #[arg(long, value_name = "LANGUAGE", value_parser = emit::language, conflicts_with = "json")]
+    emit: Option<Language>,
+    /// With --emit, also: footprint, or the weight of a texel by its name (cubic-4, gaussian, paper-r2, …), σ half a
+    /// pixel. Several, divided by commas.
+    #[arg(long, value_name = "PIECES", value_delimiter = ',', value_parser = emit::extra, requires = "emit")]
+    with: Vec<Piece>,
     /// Print one JSON object.
     #[arg(long)]
     json: bool,
@@ -95,37 +111,61 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome> {
         print(EXAMPLE_NEEDS)?;
         return Ok(Outcome::AsExpected);
     }
-    let costs = Costs { weights: arguments.weights.unwrap_or_default(), measured: None };
-    let (text, is_met) = match &arguments.scene {
+    let record = arguments.trade.as_deref().map(record).transpose()?;
+    let measured = |stand_in, format| {
+        let record = record.as_ref().filter(|_| stand_in != StandIn::Squarings);
+        record.and_then(|record| record.cost(stand_in, format))
+    };
+    let measured = record.is_some().then_some(&measured as &(dyn Fn(StandIn, Format) -> Option<f64> + Sync));
+    let costs = Costs { weights: arguments.weights.unwrap_or_default(), measured };
+    let (lines, code, is_met) = match &arguments.scene {
         Some(path) => {
-            let answer = read(path)?.answer(&costs)?;
-            let json = arguments.json;
-            let text =
-                if json { scene_choice_json(&answer, &costs)? } else { scene_choice_lines(&answer, &costs) };
-            (text, answer.is_met())
+            let answer = scene(path)?.answer(&costs)?;
+            let code = arguments.emit.map(|language| emit::of_scene(&answer, &arguments.with, language));
+            let lines = if arguments.json {
+                scene_choice_json(&answer, &costs)?
+            } else {
+                scene_choice_lines(&answer, &costs)
+            };
+            (lines, code.transpose()?, answer.is_met())
         }
         None => {
             let answer = choose(&arguments.need()?, &costs)?;
-            let text =
+            let code = arguments.emit.map(|language| emit::of_answer(&answer, &arguments.with, language));
+            let lines =
                 if arguments.json { choice_json(&answer, &costs)? } else { choice_lines(&answer, &costs) };
-            (text, answer.best().is_some())
+            (lines, code.transpose()?, answer.best().is_some())
         }
     };
-    print(&text)?;
+    // Where code was asked for and nothing qualifies, what would go into a file stays empty.
+    match code {
+        Some(Some(code)) => print(&code)?,
+        Some(None) => eprint!("{lines}"),
+        None => print(&lines)?,
+    }
     Ok(if is_met { Outcome::AsExpected } else { Outcome::Differs })
 }
 
-fn read(path: &Path) -> Result<SceneNeeds> {
+fn scene(path: &Path) -> Result<SceneNeeds> {
+    let name = path.display();
+    SceneNeeds::parse(&read(path)?).map_err(|error| anyhow!("{name}: {error}"))
+}
+
+fn record(path: &Path) -> Result<Record> {
+    let name = path.display();
+    Record::parse(&read(path)?).map_err(|error| anyhow!("{name}: {error}"))
+}
+
+fn read(path: &Path) -> Result<String> {
     let name = path.display();
     if path.is_dir() {
-        bail!("{name}: a folder, not a file of needs");
+        bail!("{name}: a folder, not a file");
     }
     let bytes = std::fs::read(path).map_err(|error| {
         let text = error.to_string();
         anyhow!("{name}: {}", text.split(" (os error").next().unwrap_or(&text).to_lowercase())
     })?;
-    let text = String::from_utf8(bytes).map_err(|_| anyhow!("{name}: not UTF-8 text"))?;
-    SceneNeeds::parse(&text).map_err(|error| anyhow!("{name}: {error}"))
+    String::from_utf8(bytes).map_err(|_| anyhow!("{name}: not UTF-8 text"))
 }
 
 impl Arguments {

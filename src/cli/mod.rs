@@ -1,6 +1,7 @@
 //! The command line: one file a subcommand, no numerics.
 
 mod choose;
+mod emit;
 mod fit;
 mod render;
 mod reproduce;

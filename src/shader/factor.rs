@@ -14,8 +14,13 @@ use core::f64::consts::{FRAC_1_SQRT_2, PI};
 
 const TABLE: &str = "the lobe paper, Table 1";
 
-pub(super) fn items(model: Model, stand_in: StandIn, target: Target) -> Result<Vec<Item>, ShaderError> {
-    let factor = Factor { model, stand_in, target };
+pub(super) fn items(
+    model: Model,
+    stand_in: StandIn,
+    nudge: f64,
+    target: Target,
+) -> Result<Vec<Item>, ShaderError> {
+    let factor = Factor { model, stand_in, nudge, target };
     Ok(match (formula(stand_in), stand_in.bell()) {
         (Some(bell), Some((_, 1))) if stand_in == StandIn::Cs16 => {
             vec![factor.line()?, factor.closed_form(&bell)]
@@ -30,6 +35,7 @@ pub(super) fn items(model: Model, stand_in: StandIn, target: Target) -> Result<V
 struct Factor {
     model: Model,
     stand_in: StandIn,
+    nudge: f64,
     target: Target,
 }
 
@@ -38,7 +44,14 @@ fn set(name: &'static str, value: String) -> Statement {
 }
 
 impl Factor {
-    fn function(&self, name: &str, about: Vec<String>, body: Vec<Statement>) -> Item {
+    fn function(&self, name: &str, mut about: Vec<String>, mut body: Vec<Statement>) -> Item {
+        if let (true, Some(Statement::Return(value))) = (self.nudge > 0.0, body.last_mut()) {
+            *value = format!("{value} * {}", self.number(1.0 - self.nudge));
+            about.push(format!(
+                "Lowered by {}, more than its own rounding, so that it gains nothing with the exact lobe.",
+                short(self.nudge)
+            ));
+        }
         Item::Function(Function {
             name: format!("{name}_{}", self.model.id().replace('-', "_")),
             about,

@@ -17,6 +17,7 @@
 //! NaN: Rust and C keep IEEE 754; a maximum there gives its other argument for a NaN, unlike the kernels'.
 //! In shaders NaN and infinities are unspecified, and none is made from arguments in the domain.
 
+mod chosen;
 mod error;
 mod factor;
 mod footprint;
@@ -30,6 +31,7 @@ mod spelling;
 mod translation;
 mod weight;
 
+pub use chosen::pieces_of;
 pub use error::ShaderError;
 pub use language::Language;
 pub use piece::Piece;
@@ -67,7 +69,7 @@ pub fn emit(pieces: &[Piece], format: Format, language: Language) -> Result<Stri
             Piece::Lobe { stand_in, argument, error } => {
                 lobe::items(*stand_in, *argument, error.as_deref(), target)?
             }
-            Piece::Factor { model, stand_in } => factor::items(*model, *stand_in, target)?,
+            Piece::Factor { model, stand_in, nudge } => factor::items(*model, *stand_in, *nudge, target)?,
             Piece::Footprint => footprint::items(target)?,
             Piece::Weight(weight) => weight::items(*weight, target)?,
         };

@@ -25,6 +25,9 @@ pub enum Piece {
         model: Model,
         /// The lobe.
         stand_in: StandIn,
+        /// What is taken off the factor, coef (1 - nudge), so that its rounding gains nothing; 0 to leave it as
+        /// it is.
+        nudge: f64,
     },
     /// From a Jacobian to Q, plain and padded.
     Footprint,

@@ -2,10 +2,8 @@
 
 use super::subject::Subject;
 use super::table::{END, Lookup, Over, Sampling};
-use crate::bound::{Format, Interval, cosine_bell};
+use crate::bound::{Format, Interval, Measure, approximation as approximation_of};
 use crate::integral::Field;
-use crate::kernel::constants::{CUBIC_COS_N, LINEAR_COS_N};
-use crate::kernel::cubic::BellFormula;
 use crate::kernel::stand_in::StandIn;
 
 /// What is proved of a subject's distance from cosⁿ, over every θ in [0, π/2].
@@ -20,7 +18,8 @@ pub struct Proven {
 
 /// What is proved of a subject at n.
 ///
-/// - Bells: the approximation, as the certified supremum over every real exponent from n on, [`cosine_bell`].
+/// - Bells, Schlick's lobe and the spherical Gaussian: the approximation, as the certified supremum at n,
+///   [`approximation`](crate::bound::approximation).
 /// - Tables: the approximation by the theorem of the interpolation's error, h²/8 sup|f″| between samples h
 ///   apart and h/2 sup|f′| to the nearest, where f is cosⁿ: f′ and f″ are n and n (n - 1) over cos θ, and at
 ///   most 1 over t, where setting the end to 0 adds e⁻¹⁶. The rounding by counting: the place in the table is
@@ -57,20 +56,11 @@ pub(super) fn rounding(subject: Subject, n: u32, format: Format) -> Option<f64> 
     Some(format.unit_roundoff() * (1.01 * (f64::from(n) + more) + 8.0))
 }
 
-/// The one place that asks for a stand-in's bound.
+/// For what is cosⁿ but for rounding there is nothing to state.
 fn of_stand_in(stand_in: StandIn, n: u32) -> Option<f64> {
-    let formula = match stand_in.bell()? {
-        _ if stand_in == StandIn::Cs16 => {
-            BellFormula { power: 16, reach: [16.0, 0.0, 0.0], linear: [0.0; 3], square: [0.0; 3] }
-        }
-        (power, 1) => *LINEAR_COS_N.iter().find(|row| row.power == power)?,
-        (power, _) => *CUBIC_COS_N.iter().find(|row| row.power == power)?,
-    };
-    // The tolerance is absolute: a rough answer tells which is fine enough.
-    let (rough, _) = cosine_bell(&formula, f64::from(n), &[], 1e-4)?;
-    let seed = [rough.at];
-    let (error, _) = cosine_bell(&formula, f64::from(n), &seed, 1e-3 * rough.value.hi())?;
-    Some(error.value.hi())
+    let n = f64::from(n);
+    let found = approximation_of(stand_in, (n, n), Measure::Absolute);
+    found.filter(|_| !stand_in.is_exact()).map(|found| found.value.hi())
 }
 
 fn of_table(sampling: Sampling, n: u32) -> f64 {

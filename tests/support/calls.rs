@@ -227,7 +227,7 @@ pub fn calls<F: Number>(piece: &Piece) -> Vec<Call<F>> {
     match piece {
         Piece::Lobe { stand_in, argument, .. } if stand_in.bell().is_some() => bell(*stand_in, *argument),
         Piece::Lobe { stand_in, argument, .. } => vec![closed(*stand_in, *argument)],
-        Piece::Factor { model, stand_in } => factor(*model, *stand_in),
+        Piece::Factor { model, stand_in, .. } => factor(*model, *stand_in),
         Piece::Footprint => footprint(),
         Piece::Weight(found) => vec![weight(*found)],
     }
