@@ -27,15 +27,17 @@ pub(super) fn stem(stand_in: StandIn) -> String {
 pub(super) fn items(
     stand_in: StandIn,
     argument: Argument,
-    error: Option<&str>,
+    sentence: Option<&str>,
     target: Target,
 ) -> Result<Vec<Item>, ShaderError> {
-    let error = match error {
+    let error = match sentence {
         Some(sentence) => format!("Error: {sentence}"),
         None => format!("Error: {}", lobe_error(stand_in)?),
     };
     Ok(match formula(stand_in) {
-        Some(bell) => Bell { stand_in, bell, argument, target }.items(error),
+        Some(bell) => {
+            Bell { stand_in, bell, argument, target, with_rounding: sentence.is_some() }.items(error)
+        }
         None => vec![closed(stand_in, argument, error, target)],
     })
 }
@@ -155,6 +157,8 @@ struct Bell {
     bell: BellFormula,
     argument: Argument,
     target: Target,
+    /// Whether the sentence about the error counts rounding in.
+    with_rounding: bool,
 }
 
 impl Bell {
@@ -233,7 +237,7 @@ impl Bell {
             arithmetic: Type::Wide,
             body: self.constants_body(),
         }));
-        let argument_note = if versine { None } else { Some(self.cosine_note()) };
+        let argument_note = (!versine && !self.with_rounding).then(|| self.cosine_note());
         let guard = if versine { "versine > 1.0" } else { "cos_theta < 0.0" };
         let mut body = vec![Statement::If(guard.to_owned(), vec![Statement::Return("0.0".to_owned())])];
         if self.is_depressed() {
@@ -357,9 +361,11 @@ impl Bell {
             Format::Double => "2^-52",
             _ => "2^-23",
         };
+        // CubicLobe::at and LinearLobe::at state both.
+        let own = if self.is_depressed() { "0.7 n ε (sampled)" } else { "as much" };
         format!(
-            "Rounding comes on top: a rounded cos θ alone moves the lobe by up to n ε/4, ε = {epsilon}. At a large n \
-             take {}_lobe_versine.",
+            "Rounding comes on top: a rounded cos θ alone moves the lobe by up to n ε/4, ε = {epsilon}, and the \
+             sums of its polynomial by up to {own} more. At a large n take {}_lobe_versine.",
             stem(self.stand_in)
         )
     }
