@@ -15,6 +15,7 @@ use bellfit::kernel::power::cos_n_whole;
 use bellfit::kernel::real::Real;
 use bellfit::kernel::stand_in::StandIn;
 use bellfit::kernel::vector::versine_between;
+use bellfit::stability::Half;
 use draw::Draw;
 use std::collections::BTreeMap;
 
@@ -349,6 +350,28 @@ fn errors_in_double_precision_stay_inside_the_bound() {
     }
     // A bound that hardly any error comes near would be none.
     assert!(compared > 10_000 && near > compared / 20, "{near} of {compared}");
+}
+
+/// A logarithm that is a unit in the last place off and rounded: of subnormal versines that is no relative error.
+#[test]
+fn a_logarithm_off_by_units_of_subnormal_numbers_is_covered() {
+    let n = 60_000.0; // a binary16 number
+    let bound =
+        rounding_with(StandIn::Power, Format::Half, Handed::Versine, (n, n), Measure::Absolute, 2.0).unwrap();
+    let mut worst = 0.0_f64;
+    for bits in 1..1024_u16 {
+        let log = Real::log1p(-Half::from_bits(bits)).to_bits();
+        for log in [log - 1, log + 1].map(Half::from_bits) {
+            let value = Real::exp(Half::from_f64(n) * log).to_f64();
+            // The ends of what rounds to this versine.
+            for shift in [-0.499, 0.499] {
+                let w = libm::scalbn(f64::from(bits) + shift, -24);
+                worst = worst.max((value - exactly(StandIn::Power, n, w)).abs());
+            }
+        }
+    }
+    // n 2⁻²⁴ for the logarithm and half of it for the versine, of values near 1.
+    assert!(worst > 1.4 * n * libm::exp2(-24.0) && worst <= bound.value.hi(), "{worst:e} {bound:?}");
 }
 
 #[test]

@@ -185,6 +185,7 @@ fn largest<S: Real, A: Real>(clip: Clip, distances: &[f64]) -> (f64, f64) {
         // A d rounded to 0 has its volume too.
         let exact = if d == 0.0 { number(0.5) } else { clip.exact(d, sigma) };
         let error = (number(value) - exact).abs().to_f64();
-        if error > largest.0 { (error, d) } else { largest }
+        // A NaN is worse than any error.
+        if error > largest.0 || error.is_nan() && !largest.0.is_nan() { (error, d) } else { largest }
     })
 }
