@@ -115,7 +115,7 @@ fn a_file_is_answered() {
         "chalk: no stand-in; cosⁿ by squarings is exact but for rounding, at most",
         "wall: no true axes; skew at most",
         "label: no anisotropy; aspect at most",
-        "label: no pyramid; no derivative exceeds a texel",
+        "decal: no pyramid; no derivative exceeds a texel",
     ] {
         assert!(text.contains(sentence), "{sentence}\n{text}");
     }
@@ -128,6 +128,30 @@ fn a_file_is_answered() {
     refused(&[folder.to_str().unwrap()], "a folder");
     refused(&[folder.join("none.toml").to_str().unwrap()], "no such file");
     refused(&[name, "--n", "16"], "cannot be used with");
+}
+
+/// f16 holds nothing beyond 65504: no constant of a bell, and no n.
+#[test]
+fn a_need_without_any_bound_says_so() {
+    let text = answered(&["--n", "1e12", "--max-error", "0.1", "--float", "f16"], 1);
+    assert!(text.contains("nothing qualifies\nnearest: none, as no error has a bound here\n"), "{text}");
+}
+
+/// What is printed as a bound is none below the one that the JSON object has in full.
+#[test]
+fn printed_bounds_are_rounded_up() {
+    let arguments = ["--n", "2", "--max-error", "0.9", "--float", "f16"];
+    let json: Value = serde_json::from_str(&answered(&[&arguments[..], &["--json"]].concat(), 0)).unwrap();
+    let text = answered(&arguments, 0);
+    let mut count = 0;
+    for kernel in json["kernels"].as_array().unwrap().iter().filter(|k| k["verdict"] == "qualifies") {
+        let id = kernel["id"].as_str().unwrap();
+        let words = |line: &str| line.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
+        let row = text.lines().map(words).find(|row| row.get(1).is_some_and(|word| word == id)).unwrap();
+        assert!(row[3].parse::<f64>().unwrap() >= kernel["error_bound"].as_f64().unwrap(), "{row:?}");
+        count += 1;
+    }
+    assert!(count > 5, "{text}");
 }
 
 #[test]
@@ -168,7 +192,7 @@ fn bad_input_is_one_line() {
     of("--energy", "unbiased", "--model is needed");
     of("--floor", "0.1", "--relative");
     of("--energy-error", "0.1", "--energy");
-    of("--ulps", "0", "ulps");
+    of("--ulps", "0", "--ulps 0, of the elementary functions");
     of("--kernel", "cosine", "known are cs-16");
     of("--weights", "1", "two numbers");
     of("--weights", "1,-2", "0 to 1e6");

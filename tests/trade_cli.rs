@@ -2,7 +2,9 @@
 #![cfg(feature = "toolkit")]
 #![allow(clippy::unwrap_used)] // helpers of tests may panic as tests do
 
+use bellfit::report::trade_files;
 use bellfit::trade::{Record, Subject};
+use std::path::Path;
 use std::process::{Command, Output};
 
 fn bellfit(arguments: &[&str]) -> Output {
@@ -40,6 +42,16 @@ fn a_quick_look_prints_the_record_and_writes_the_files() {
         assert!(names.iter().any(|n| n == name), "{names:?}");
     }
     std::fs::remove_dir_all(out).unwrap();
+}
+
+/// What is committed beside the record says what the record says.
+#[test]
+fn the_committed_page_is_that_of_its_record() {
+    let folder = Path::new("reports/measured");
+    let text = std::fs::read_to_string(folder.join("trade-amd-epyc.json")).unwrap();
+    let files = trade_files(&Record::parse(&text).unwrap()).unwrap();
+    assert_eq!(files.files().count(), 5);
+    assert_eq!(files.differences(folder), Vec::<String>::new());
 }
 
 #[test]

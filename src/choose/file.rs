@@ -31,7 +31,7 @@ pub struct Material {
 /// ```
 /// use bellfit::choose::{EXAMPLE_NEEDS, SceneNeeds};
 /// let scene = SceneNeeds::parse(EXAMPLE_NEEDS)?;
-/// assert_eq!((scene.materials.len(), scene.surfaces.len()), (3, 3));
+/// assert_eq!((scene.materials.len(), scene.surfaces.len()), (3, 4));
 /// let wrong = EXAMPLE_NEEDS.replacen("f32", "f31", 1);
 /// let error = SceneNeeds::parse(&wrong).expect_err("no such format").to_string();
 /// assert!(error.starts_with("line ") && error.contains("unknown float \"f31\""), "{error}");
@@ -155,6 +155,9 @@ impl RawFile {
         }
         let mut names: Vec<&Spanned<String>> = Vec::new();
         for name in self.material.iter().map(|m| &m.name).chain(self.surface.iter().map(|s| &s.name)) {
+            if name.get_ref().trim().is_empty() || name.get_ref().contains(char::is_control) {
+                return Err((name.span().start, "a name of printable characters is needed".to_owned()));
+            }
             if names.iter().any(|known| known.get_ref() == name.get_ref()) {
                 return Err((name.span().start, format!("the name \"{}\" twice", name.get_ref())));
             }

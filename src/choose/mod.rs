@@ -41,4 +41,6 @@ pub use range::Exponents;
 pub use scene::{MaterialAnswer, SceneAnswer};
 pub use surface::{Dispensable, Shape, Surface, SurfaceAnswer};
 pub use witness::{Evidence, Witness, theta};
-pub use words::{ANGLE_WORDS, ENERGY_ERROR, ENERGY_WORDS, FLOOR, energy_from_word, handed_from_word};
+pub use words::{
+    ANGLE_WORDS, ENERGY_ERROR, ENERGY_WORDS, FLOOR, energy_from_word, handed_from_word, handed_word,
+};

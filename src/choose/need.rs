@@ -54,7 +54,7 @@ pub enum NeedError {
         value: f64,
     },
     /// An accuracy of elementary functions out of its domain.
-    #[error("{value} ulps of the elementary functions: from 0.5 to 1e6 are needed")]
+    #[error("ulps {value}, of the elementary functions: from 0.5 to 1e6 are needed")]
     Ulps {
         /// As given.
         value: f64,

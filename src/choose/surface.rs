@@ -3,7 +3,8 @@
 //! A filter is a weighted mean of colours in [0, 1], so two filters differ by no more than the total variation
 //! between their normalised weights, whatever the texture. Of two Gaussians it is at most √(KL/2), KL
 //! the one's relative entropy from the other (Pinsker's inequality), and that is closed:
-//! 2 KL = tr(Σ₂⁻¹ Σ₁) - 2 - ln det(Σ₂⁻¹ Σ₁) in the plane. Texels are taken as fine beside the footprint.
+//! 2 KL = tr(Σ₂⁻¹ Σ₁) - 2 - ln det(Σ₂⁻¹ Σ₁) in the plane. Sums over texels are taken as those integrals, so
+//! texels as fine beside the footprint; where it spans no more than one, nothing but 1 is claimed.
 
 use crate::bound::exponential_bell;
 use crate::kernel::constants::CUBIC_EXP;
@@ -139,7 +140,8 @@ pub struct Dispensable {
     pub instead: &'static str,
     /// Operations of a weight, from t; none for the others.
     pub operations: Option<u32>,
-    /// Upper bound of the change in a colour in [0, 1].
+    /// Upper bound of the change in a colour in [0, 1]: of the pyramid against trilinear filtering, else against
+    /// the ellipse's Gaussian with texels fine beside it; 1 where no bound is known.
     pub bound: f64,
     /// Whether that is within what the surface allows.
     pub dispensable: bool,
@@ -191,18 +193,21 @@ impl Surface {
             bound,
             dispensable: bound <= *max_error,
         };
-        // A level above 0 is read where a vector is longer than a texel.
-        let pyramid = if shape.longest <= 1.0 { 0.0 } else { 1.0 };
+        // A level above 0 is read where a vector is longer than a texel. Where none is, a sum has few texels
+        // or one, and is no integral.
+        let is_fine = shape.longest > 1.0;
+        let of_integrals = |bound: f64| if is_fine { bound } else { 1.0 };
+        let round = of_integrals(shape.round_error());
         let parts = vec![
-            part("pyramid", "bilinear filtering of level 0", pyramid),
-            part("anisotropy", "the round footprint of trilinear filtering", shape.round_error()),
-            part("axes", "the lengths of the derivative vectors", shape.axes_error()),
+            part("pyramid", "bilinear filtering of level 0", if is_fine { 1.0 } else { 0.0 }),
+            part("anisotropy", "the round footprint of trilinear filtering", round),
+            part("axes", "the lengths of the derivative vectors", of_integrals(shape.axes_error())),
         ];
         let weights: Vec<Dispensable> = weights()
             .into_iter()
             .map(|(id, operations, bound)| Dispensable {
                 operations: Some(operations),
-                ..part(&id, "in place of the Gaussian", bound)
+                ..part(&id, "in place of the Gaussian", of_integrals(bound))
             })
             .collect();
         let taken = |part: Option<&Dispensable>| part.filter(|p| p.dispensable).map_or(0.0, |p| p.bound);

@@ -25,6 +25,20 @@ pub fn handed_from_word(word: &str) -> Option<Handed> {
     }
 }
 
+/// The word of [`handed_from_word`].
+///
+/// ```
+/// use bellfit::{bound::Handed, choose::{handed_from_word, handed_word}};
+/// assert!(Handed::ALL.iter().all(|handed| handed_from_word(handed_word(*handed)) == Some(*handed)));
+/// ```
+pub const fn handed_word(handed: Handed) -> &'static str {
+    match handed {
+        Handed::Cosine => "cos",
+        Handed::Versine => "versine",
+        Handed::Difference => "difference",
+    }
+}
+
 /// The words of [`handed_from_word`].
 pub const ANGLE_WORDS: [&str; 3] = ["cos", "versine", "difference"];
 

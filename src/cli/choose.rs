@@ -65,7 +65,8 @@ pub struct Arguments {
     /// blinn-phong-ndf or blinn-phong-heightfield.
     #[arg(long, value_name = "MODEL", value_parser = model)]
     model: Option<Model>,
-    /// never-gains: ∫ ≤ 1, lobe and factor together; unbiased: |∫ - 1| at most the energy's error.
+    /// never-gains: ∫ ≤ 1 of the exact lobe with the factor as rounded; unbiased: |∫ - 1| at most the energy's
+    /// error.
     #[arg(long, value_name = "ENERGY", value_parser = energy)]
     energy: Option<EnergyDemand>,
     /// The largest |∫ - 1| of what is unbiased; 1e-3 if not given.

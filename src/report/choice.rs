@@ -1,6 +1,6 @@
 //! The kernels that a need has, for readers.
 
-use super::number::{short, short_up};
+use super::number::{short, short_down, short_up};
 use crate::bound::{Handed, Measure, Supremum};
 use crate::choose::{
     Answer, Candidate, Costs, Demand, EnergyDemand, Exponents, Factor, Failure, Miss, Need, Price, Side,
@@ -15,6 +15,8 @@ pub fn choice_lines(answer: &Answer, costs: &Costs<'_>) -> String {
         text.push_str("nothing qualifies\n");
         if let Some(miss) = answer.nearest_miss() {
             let _ = writeln!(text, "nearest: {}", miss_words(&miss, &answer.need));
+        } else {
+            text.push_str("nearest: none, as no error has a bound here\n");
         }
     } else {
         text.push_str(&table(answer));
@@ -159,7 +161,7 @@ pub(super) fn aligned(rows: &[Vec<String>]) -> String {
 
 fn energy_words(factor: &Factor) -> String {
     let (max, min) = (factor.residual.max, factor.residual.min);
-    format!("{} to {}", short(min.value.lo()), short(max.value.hi()))
+    format!("{} to {}", short_down(min.value.lo()), short_up(max.value.hi()))
 }
 
 /// Why a kernel does not do, in a line.
@@ -167,19 +169,21 @@ pub(super) fn why(candidate: &Candidate, need: &Need) -> String {
     match &candidate.verdict {
         Verdict::Qualifies => "qualifies".to_owned(),
         Verdict::Excluded(exclusion) => format!("left out: {}", exclusion.reason()),
-        Verdict::Fails(Failure::Error(w)) => format!(
-            "fails: error {} at n = {}, θ = {}, {}",
-            if w.error.is_finite() { short(w.error) } else { "without bound".to_owned() },
-            short(w.n),
-            short(w.theta),
-            w.evidence.id()
-        ),
+        Verdict::Fails(Failure::Error(w)) => {
+            let (n, theta) = (short(w.n), short(w.theta));
+            let found = if w.error.is_finite() {
+                format!("error {}", short_down(w.error))
+            } else {
+                "no finite value".to_owned()
+            };
+            format!("fails: {found} at n = {n}, θ = {theta}, {}", w.evidence.id())
+        }
         Verdict::Fails(Failure::Energy { side, least, n }) => {
             let word = match side {
                 Side::Gain => "gains",
                 Side::Loss => "loses",
             };
-            format!("fails: {word} at least {} of the energy at n = {}", short(*least), short(*n))
+            format!("fails: {word} at least {} of the energy at n = {}", short_down(*least), short(*n))
         }
         Verdict::Fails(Failure::NoFactor(reason)) => format!("fails: {reason}"),
         Verdict::Unproved => unproved(candidate, need),
@@ -250,9 +254,9 @@ fn factor_words(factor: &Factor) -> String {
     format!(
         "{}{nudged}, rounded once: ∫ - 1 of the exact lobe from {} (n = {}) to {} (n = {}), certified",
         factor.call,
-        short(min.value.lo()),
+        short_down(min.value.lo()),
         short(min.n),
-        short(max.value.hi()),
+        short_up(max.value.hi()),
         short(max.n)
     )
 }

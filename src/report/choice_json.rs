@@ -6,7 +6,7 @@ use super::choice_scene::not_needed;
 use crate::bound::{Measure, Supremum};
 use crate::choose::{
     Answer, Candidate, Costs, Demand, Dispensable, EnergyDemand, Evidence, Factor, Need, Price, SceneAnswer,
-    SurfaceAnswer, Verdict, Witness, theta,
+    SurfaceAnswer, Verdict, Witness, handed_word, theta,
 };
 use serde::Serialize;
 
@@ -113,7 +113,7 @@ fn need_json(need: &Need) -> NeedJson {
             Measure::Relative { floor } => Some(floor),
         },
         float: need.format.id(),
-        angle: need.handed.id(),
+        angle: handed_word(need.handed),
         model: need.model.map(|model| model.id()),
         energy: need.energy.map(EnergyDemand::id),
         energy_error: match need.energy {

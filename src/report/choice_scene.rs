@@ -15,7 +15,9 @@ pub fn scene_choice_lines(answer: &SceneAnswer, costs: &Costs<'_>) -> String {
     for sentence in sentences {
         let _ = writeln!(text, "  {sentence}");
     }
-    text.push_str("\nmaterials\n");
+    if !answer.materials.is_empty() {
+        text.push_str("\nmaterials\n");
+    }
     for material in &answer.materials {
         let _ = writeln!(text, "  {}: {}", material.name, summary(material));
     }
@@ -26,7 +28,9 @@ pub fn scene_choice_lines(answer: &SceneAnswer, costs: &Costs<'_>) -> String {
     };
     text.push_str(&common);
     if !answer.surfaces.is_empty() {
-        text.push_str("\nsurfaces\n");
+        text.push_str(
+            "\nsurfaces (but for the pyramid against the ellipse's Gaussian, with texels taken as fine beside it)\n",
+        );
     }
     for surface in &answer.surfaces {
         text.push_str(&surface_lines(surface));
@@ -64,7 +68,7 @@ pub(super) fn not_needed(answer: &SceneAnswer) -> Vec<String> {
     }
     for answer in &answer.surfaces {
         let surface = &answer.surface;
-        for part in answer.parts.iter().filter(|part| part.dispensable) {
+        for part in answer.parts.iter().filter(|part| part.dispensable && part.bound < 1.0) {
             let (name, bound) =
                 (&surface.name, if part.bound > 0.0 { short_up(part.bound) } else { "0".into() });
             let sentence = match part.id.as_str() {
@@ -73,7 +77,7 @@ pub(super) fn not_needed(answer: &SceneAnswer) -> Vec<String> {
                     surface.shape.longest
                 ),
                 "anisotropy" => format!(
-                    "{name}: no anisotropy; aspect at most {}, {} changes a colour by at most {bound}",
+                    "{name}: no anisotropy; aspect at most {}, {}, changes a colour by at most {bound}",
                     short_up(surface.shape.aspect()),
                     part.instead
                 ),
@@ -85,7 +89,7 @@ pub(super) fn not_needed(answer: &SceneAnswer) -> Vec<String> {
             };
             sentences.push(sentence);
         }
-        if let Some(weight) = answer.weight() {
+        if let Some(weight) = answer.weight().filter(|weight| weight.bound < 1.0) {
             sentences.push(format!(
                 "{}: no exponential; the weight {} changes a colour by at most {}, in {} operations from t = Q/(2σ²)",
                 surface.name,
@@ -105,10 +109,15 @@ fn short_up_or_zero(x: f64) -> String {
 fn surface_lines(answer: &SurfaceAnswer) -> String {
     let surface = &answer.surface;
     let mut text = format!("  {}: a colour may change by at most {}\n", surface.name, surface.max_error);
-    for part in &answer.parts {
+    let within_a_texel = answer.surface.shape.longest <= 1.0;
+    for part in answer.parts.iter().take(if within_a_texel { 1 } else { usize::MAX }) {
         let word = if part.dispensable { "within" } else { "beyond" };
         let bound = if part.bound >= 1.0 { "1".to_owned() } else { short_up_or_zero(part.bound) };
         let _ = writeln!(text, "    no {:<15} at most {bound}, {word}: {}", part.id, part.instead);
+    }
+    if within_a_texel {
+        text.push_str("    of the others nothing is claimed within a texel\n");
+        return text;
     }
     for weight in &answer.weights {
         let word = if weight.dispensable { "within" } else { "beyond" };

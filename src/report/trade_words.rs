@@ -111,7 +111,7 @@ pub(super) fn conditions(record: &Record) -> Vec<String> {
             machine.processor, machine.architecture, machine.system, machine.unit, record.n, record.rounds
         ),
         format!(
-            "Arguments are cosines, drawn so that t = n (1 - cos θ) is even in [0, {}): none so far out that cosⁿ \
+            "Arguments are cosines, drawn so that t = n (1 - cos θ) is uniform in [0, {}): none so far out that cosⁿ \
              underflows. *One by one* is the throughput of inlined calls whose argument and result are hidden from the compiler, \
              with what depends on n alone computed before; *in cache* a slice of {} elements; *in memory* slices of {} MiB \
              each, read and written, {}.",
@@ -149,7 +149,10 @@ fn short2_percent(x: f64) -> String {
 }
 
 fn told(row: &Row) -> String {
-    let bound = row.proven.approximation.map_or(String::new(), |bound| format!(", proved {}", up2(bound)));
+    let bound = row.proven.approximation.map_or(String::new(), |bound| {
+        let rounding = row.proven.rounding.map_or(String::new(), |rounding| format!(" + {}", up2(rounding)));
+        format!(", proved {}{rounding}", up2(bound))
+    });
     format!(
         "{} ({} ns, error {}{bound})",
         row.subject.id(),

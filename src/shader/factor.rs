@@ -89,6 +89,15 @@ impl Factor {
         format!("{}: factor of the lobe {lobe}, per steradian; {condition}.", self.model.title())
     }
 
+    /// What rounding adds, in ε: with a correctly rounded division, and with the 2.5 ulp that WGSL asks for.
+    fn rounding(&self, exact: u32, shading: u32) -> String {
+        if self.target.language.is_shading() {
+            format!("Rounding: up to {shading} ε more, gains too, with divisions within 2.5 ulp.")
+        } else {
+            format!("Rounding: up to {exact} ε more, gains too.")
+        }
+    }
+
     /// (a n + b)/(divisor π), never gaining.
     fn line(&self) -> Result<Item, ShaderError> {
         let [a, b, divisor] = CS16_ONE_SIDED[self.model as usize];
@@ -97,9 +106,11 @@ impl Factor {
         let sum = if b == 0.0 { sum } else { format!("({sum})") };
         let about = vec![
             self.meaning("cs-16"),
-            format!("The line (a n + b)/({divisor} π) that never gains energy and loses least."),
+            format!(
+                "The line (a n + b)/({divisor} π) that, but for rounding, never gains energy and loses least."
+            ),
             "Domain: real n of 16..1024; outside, the line goes on and nothing is proved.".to_owned(),
-            format!("Error: {} Rounding: up to 2 ε more.", line_error(self.model)?),
+            format!("Error: {} {}", line_error(self.model)?, self.rounding(2, 5)),
             format!("Source: bellfit's fit; the form is that of {TABLE}."),
         ];
         let body = vec![Statement::Return(format!("{sum} / {}", self.divisor(divisor)))];
@@ -161,18 +172,27 @@ impl Factor {
             (_, Some(16) | None) => "real n >= 16".to_owned(),
             (_, Some(n)) => format!("real n >= {n}"),
         };
-        let error = if self.stand_in == StandIn::Cs16 {
-            "Error: none but rounding, relative at most 10.29 ε to the first order."
+        // By the kernels' count; 2.5 ulp for ½ in the two divisions, and in that of n/T and what it is made of.
+        let (most, of_reach, division) = if self.target.language.is_shading() {
+            ("15", 6, ", with divisions within 2.5 ulp")
         } else {
-            "Error: none but rounding, relative at most 10.29 ε to the first order, and up to 4 ε more for n/T."
+            ("10.29", 4, "")
         };
+        let more = if self.stand_in == StandIn::Cs16 {
+            String::new()
+        } else {
+            format!(", and up to {of_reach} ε more for n/T")
+        };
+        let error = format!(
+            "Error: none but rounding, relative at most {most} ε to the first order{division}{more}."
+        );
         let about = vec![
             self.meaning(self.stand_in.id()),
             "The exact factor where the lobe ends on the hemisphere, before its edge.".to_owned(),
             format!(
                 "Domain: {from}; below, where the hemisphere cuts the lobe, another form is exact and this one is not."
             ),
-            error.to_owned(),
+            error,
             format!("Source: the condition of {TABLE} integrated term by term."),
         ];
         self.function(&format!("{}_factor_exact", stem(self.stand_in)), about, body)
@@ -189,9 +209,9 @@ impl Factor {
             format!("({} * n{} + {inverse}) / {}", digits.of(p0), digits.added(p1), self.divisor(divisor));
         let about = vec![
             self.meaning(self.stand_in.id()),
-            format!("(p0 n + p1 + p2/n + p3/n^2)/({divisor} π); it never gains energy."),
+            format!("(p0 n + p1 + p2/n + p3/n^2)/({divisor} π); but for rounding it never gains energy."),
             "Domain: real n >= 16; below, the formula goes on and nothing is proved.".to_owned(),
-            format!("Error: {} Rounding: up to 4 ε more.", cubic_factor_error(self.stand_in, self.model)?),
+            format!("Error: {} {}", cubic_factor_error(self.stand_in, self.model)?, self.rounding(4, 10)),
             "Source: bellfit's fit.".to_owned(),
         ];
         Ok(self.function(&format!("{}_factor", stem(self.stand_in)), about, vec![Statement::Return(value)]))

@@ -12,7 +12,7 @@ const BEYOND: u32 = 1 << 12;
 /// larger in between.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Accuracy {
-    /// The largest, over 65536 cosines even in t = n (1 - cos θ) up to min(32, n), 4096 over the rest of the
+    /// The largest, over 65536 cosines uniform in t = n (1 - cos θ) up to min(32, n), 4096 over the rest of the
     /// hemisphere, and cos θ = 1.
     pub sup: f64,
     /// The cosine where it is.
