@@ -3,12 +3,13 @@
 use super::Unit;
 use super::bell::Bell;
 use super::kernel::{
-    Cubic, Depressed, Each, Exp2Log2, Exponential, Gaussian, Guarded, Horner, Kernel, Line, Lyon, One,
-    OneLess, Power, Product, Reach, Schlick, SchlickPrinted, Singly, With,
+    Cubic, Depressed, Each, Exponential, Gaussian, Guarded, Horner, Kernel, Line, Lyon, One, OneLess,
+    Product, Reach, Schlick, SchlickPrinted, Singly, With,
 };
 use super::lanes::Lanes;
 use super::pass::{Added, Beside, Pass, Pass2};
 use super::squarings::Squarings;
+use super::streams::{Exp2Log2, Power};
 use crate::kernel::constants::{CUBIC_COS_N, CUBIC_EXP, LINEAR_COS_N};
 use crate::kernel::cubic::CubicLobe;
 use crate::kernel::linear::LinearLobe;

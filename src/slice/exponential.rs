@@ -1,6 +1,7 @@
 //! eˣ and 2ˣ in lanes, without branches.
 
 use super::lanes::Lanes;
+use std::array::from_fn;
 
 /// eˣ, subnormal results rounded once more; 0 and ∞ where it leaves the range, NaN for NaN.
 #[inline(always)]
@@ -33,4 +34,16 @@ pub(super) fn exp2_flushed<const FUSED: bool, F: Lanes>(y: F) -> F {
     // At the upper end p is 1 and the exponent's field full: ∞.
     let value = p.shifted(whole);
     if y < least { F::ZERO } else { value }
+}
+
+/// [`exp2_flushed`] of several y ≤ 0 at once, to the same bits.
+#[inline(always)]
+pub(super) fn exp2_below<const FUSED: bool, F: Lanes, const U: usize>(y: [F; U]) -> [F; U] {
+    let [least, _] = F::EXPONENTS;
+    // One below the least exponent p is 1 and its exponent's field empty: 0.
+    let inside = y.map(|y| if y < least { least - F::ONE } else { y });
+    let whole = inside.map(|y| y + F::ROUND);
+    let f = from_fn(|j| inside[j] - (whole[j] - F::ROUND));
+    let p = F::polynomials::<FUSED, U>(f, F::EXP2);
+    from_fn(|j| F::fma::<FUSED>(f[j], p[j], F::ONE).shifted(whole[j]))
 }

@@ -2,7 +2,7 @@
 
 use super::exponential::exp;
 use super::lanes::Lanes;
-use super::power::exp2_log2;
+use super::second::{Same, Second};
 use crate::kernel::cubic::BellFormula;
 
 /// A function of one element; `at` is `#[inline(always)]` and without branches.
@@ -27,8 +27,26 @@ pub(super) trait Kernel<F: Lanes>: Copy {
 }
 
 /// A function of two: an argument and its exponent, or the squares along two axes.
-pub(super) trait Kernel2<F>: Copy {
+pub(super) trait Kernel2<F: Lanes>: Copy {
     fn at<const FUSED: bool>(self, x: F, n: F) -> F;
+
+    /// out[i] = f(x[i], n[i]).
+    #[inline(always)]
+    fn across<const FUSED: bool, N: Second<F>>(self, x: &[F], n: N, out: &mut [F]) {
+        let n = n.part(0, x.len());
+        for (i, (out, x)) in out.iter_mut().zip(x).enumerate() {
+            *out = self.at::<FUSED>(*x, n.at(i));
+        }
+    }
+
+    /// x[i] = f(x[i], n[i]).
+    #[inline(always)]
+    fn within<const FUSED: bool, N: Second<F>>(self, x: &mut [F], n: N) {
+        let n = n.part(0, x.len());
+        for (i, x) in x.iter_mut().enumerate() {
+            *x = self.at::<FUSED>(*x, n.at(i));
+        }
+    }
 }
 
 /// p to the power 2^S, 0 for p below 0.
@@ -136,6 +154,16 @@ impl<F: Lanes, K: Kernel2<F>> Kernel<F> for With<K, F> {
     #[inline(always)]
     fn at<const FUSED: bool>(self, x: F) -> F {
         self.0.at::<FUSED>(x, self.1)
+    }
+
+    #[inline(always)]
+    fn across<const FUSED: bool>(self, x: &[F], out: &mut [F]) {
+        self.0.across::<FUSED, _>(x, Same(self.1), out);
+    }
+
+    #[inline(always)]
+    fn within<const FUSED: bool>(self, x: &mut [F]) {
+        self.0.within::<FUSED, _>(x, Same(self.1));
     }
 }
 
@@ -277,28 +305,6 @@ impl<const VERSINE: bool, F: Lanes> Kernel2<F> for Gaussian<VERSINE> {
     fn at<const FUSED: bool>(self, x: F, n: F) -> F {
         let w = if VERSINE { x } else { F::ONE - x };
         exp::<FUSED, F>(-(n * w))
-    }
-}
-
-/// cosⁿ to a few ulp.
-#[derive(Clone, Copy)]
-pub(super) struct Power<const VERSINE: bool>;
-
-impl<const VERSINE: bool, F: Lanes> Kernel2<F> for Power<VERSINE> {
-    #[inline(always)]
-    fn at<const FUSED: bool>(self, x: F, n: F) -> F {
-        x.power::<FUSED, VERSINE>(n)
-    }
-}
-
-/// 2^(n log₂ c).
-#[derive(Clone, Copy)]
-pub(super) struct Exp2Log2<const VERSINE: bool>;
-
-impl<const VERSINE: bool, F: Lanes> Kernel2<F> for Exp2Log2<VERSINE> {
-    #[inline(always)]
-    fn at<const FUSED: bool>(self, x: F, n: F) -> F {
-        exp2_log2::<FUSED, F>(if VERSINE { F::ONE - x } else { x }, n)
     }
 }
 

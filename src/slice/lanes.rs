@@ -42,8 +42,22 @@ pub trait Lanes: Real {
     /// x 2ᵏ, x given and k + [`Self::ROUND`]: the exponent's bits added, exact where the result is normal.
     fn shifted(self, k: Self) -> Self;
 
-    /// cosⁿ to a few ulp; see [`power`].
-    fn power<const FUSED: bool, const VERSINE: bool>(self, n: Self) -> Self;
+    /// Whether [`Self::powers`] of several are faster: two doubles have steps enough side by side, and as arrays
+    /// the compiler makes no vectors of them.
+    const POWERS: bool;
+
+    /// cosⁿ to a few ulp, of several at once; see [`power`].
+    fn powers<const FUSED: bool, const VERSINE: bool, const U: usize>(
+        x: [Self; U],
+        n: [Self; U],
+    ) -> [Self; U];
+
+    /// The same of one.
+    #[inline(always)]
+    fn power<const FUSED: bool, const VERSINE: bool>(self, n: Self) -> Self {
+        let [power] = Self::powers::<FUSED, VERSINE, 1>([self], [n]);
+        power
+    }
 
     /// x, or 0 where it is less; NaN stays.
     #[inline(always)]
@@ -68,6 +82,19 @@ pub trait Lanes: Real {
             sum = Self::fma::<FUSED>(sum, self, coefficients[i]);
         }
         sum
+    }
+
+    /// The polynomial of several at once, each step of all before the next: one alone waits for its own steps.
+    #[inline(always)]
+    fn polynomials<const FUSED: bool, const U: usize>(x: [Self; U], coefficients: &[Self]) -> [Self; U] {
+        let (mut sums, mut i) = ([coefficients[coefficients.len() - 1]; U], coefficients.len() - 1);
+        while i > 0 {
+            i -= 1;
+            for (sum, x) in sums.iter_mut().zip(x) {
+                *sum = Self::fma::<FUSED>(*sum, x, coefficients[i]);
+            }
+        }
+        sums
     }
 }
 
@@ -110,8 +137,11 @@ macro_rules! lanes {
             }
 
             #[inline(always)]
-            fn power<const FUSED: bool, const VERSINE: bool>(self, n: Self) -> Self {
-                power::$float::<FUSED, VERSINE>(self, n)
+            fn powers<const FUSED: bool, const VERSINE: bool, const U: usize>(
+                x: [Self; U],
+                n: [Self; U],
+            ) -> [Self; U] {
+                power::$float::<FUSED, VERSINE, U>(x, n)
             }
         }
     };
@@ -119,6 +149,7 @@ macro_rules! lanes {
 
 // The polynomials: tests/references/slices.py, which prints them; least largest relative error.
 lanes!(f32, u32, 23, 127, {
+    const POWERS: bool = true;
     const EXP_RANGE: [Self; 2] = [-105.0, 90.0];
     const LN_2: [Self; 2] = [0.693_359_375, -2.121_944_4e-4];
     const LOG2: &'static [Self] = &[
@@ -138,6 +169,7 @@ lanes!(f32, u32, 23, 127, {
     const EXP: &'static [Self] = &[1.0, 0.49999997, 0.16666506, 0.041667137, 0.008369101, 0.0013888951];
 });
 lanes!(f64, u64, 52, 1023, {
+    const POWERS: bool = false;
     const EXP_RANGE: [Self; 2] = [-746.0, 711.0];
     const LN_2: [Self; 2] = [6.931_471_803_691_238_2e-1, 1.908_214_929_270_587_7e-10];
     const LOG2: &'static [Self] = &[

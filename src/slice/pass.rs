@@ -84,9 +84,7 @@ impl<F: Lanes, K: Kernel2<F>> FusedJob for Map2<'_, K, F> {
 
     #[inline(always)]
     fn run<const FUSED: bool>(self) {
-        for ((out, x), n) in self.out.iter_mut().zip(self.x).zip(self.n) {
-            *out = self.kernel.at::<FUSED>(*x, *n);
-        }
+        self.kernel.across::<FUSED, _>(self.x, self.n, self.out);
     }
 }
 
@@ -101,9 +99,7 @@ impl<F: Lanes, K: Kernel2<F>> FusedJob for MapWithin2<'_, K, F> {
 
     #[inline(always)]
     fn run<const FUSED: bool>(self) {
-        for (x, n) in self.x.iter_mut().zip(self.n) {
-            *x = self.kernel.at::<FUSED>(*x, *n);
-        }
+        self.kernel.within::<FUSED, _>(self.x, self.n);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::exponential::{exp2_flushed, scaled};
 use super::lanes::Lanes;
+use std::array::from_fn;
 
 /// cosⁿ through log₂ and 2ʸ in the type itself; n log₂ c is rounded, so the relative error grows with it.
 /// Subnormal results are 0.
@@ -19,6 +20,16 @@ pub(super) fn exp2_log2<const FUSED: bool, F: Lanes>(cos: F, n: F) -> F {
     let y = if one { F::ZERO } else { n * log };
     let value = exp2_flushed::<FUSED, F>(y);
     if cos.is_nan() || n.is_nan() || y.is_nan() { F::NAN } else { value }
+}
+
+/// n log₂ c for c ≤ 1 and n > 1, with the bits that [`exp2_log2`] has; c below the least normal number counts
+/// as that, whose power is flushed too.
+#[inline(always)]
+pub(super) fn exponents<const FUSED: bool, F: Lanes, const U: usize>(c: [F; U], n: [F; U]) -> [F; U] {
+    let split = c.map(|c| (if F::LEAST > c { F::LEAST } else { c }).split());
+    let f = split.map(|(m, _)| m - F::ONE);
+    let p = F::polynomials::<FUSED, U>(f, F::LOG2);
+    from_fn(|j| n[j] * F::fma::<FUSED>(f[j], p[j], split[j].1))
 }
 
 /// `log`, but -∞ at c = 0 and ∞ at ∞.
@@ -49,19 +60,27 @@ fn is_one<const VERSINE: bool>(n: f64, log: f64) -> bool {
 /// Through `f64`, in which a cosine, n and the result's exponent have digits to spare and subnormal numbers
 /// of `f32` are normal; rounded once to `f32` at the end.
 #[inline(always)]
-pub(super) fn f32<const FUSED: bool, const VERSINE: bool>(x: f32, n: f32) -> f32 {
-    let (x, n) = (f64::from(x), f64::from(n));
-    let c = cosine::<VERSINE>(x);
-    let (m, e) = c.split();
-    let f = excess::<VERSINE>(x, m, e);
-    let log = ends(c, f64::fma::<FUSED>(f, f.polynomial::<FUSED>(&LOG2), e));
-    let y = if is_one::<VERSINE>(n, log) { 0.0 } else { n * log };
-    let inside = y.clamped(-200.0, 200.0);
-    let whole = inside + f64::ROUND;
-    let g = inside - (whole - f64::ROUND);
-    let p = f64::fma::<FUSED>(g, g.polynomial::<FUSED>(&EXP2), 1.0);
-    let value = p.shifted(whole) as f32;
-    if x.is_nan() || n.is_nan() || y.is_nan() { f32::NAN } else { value }
+pub(super) fn f32<const FUSED: bool, const VERSINE: bool, const U: usize>(
+    x: [f32; U],
+    n: [f32; U],
+) -> [f32; U] {
+    let (x, n) = (x.map(f64::from), n.map(f64::from));
+    let c = x.map(cosine::<VERSINE>);
+    let split = c.map(Lanes::split);
+    let f = from_fn(|j| excess::<VERSINE>(x[j], split[j].0, split[j].1));
+    let p = f64::polynomials::<FUSED, U>(f, &LOG2);
+    let y: [f64; U] = from_fn(|j| {
+        let log = ends(c[j], f64::fma::<FUSED>(f[j], p[j], split[j].1));
+        if is_one::<VERSINE>(n[j], log) { 0.0 } else { n[j] * log }
+    });
+    let inside = y.map(|y| y.clamped(-200.0, 200.0));
+    let whole = inside.map(|y| y + f64::ROUND);
+    let g = from_fn(|j| inside[j] - (whole[j] - f64::ROUND));
+    let p = f64::polynomials::<FUSED, U>(g, &EXP2);
+    from_fn(|j| {
+        let value = f64::fma::<FUSED>(g[j], p[j], 1.0).shifted(whole[j]) as f32;
+        if x[j].is_nan() || n[j].is_nan() || y[j].is_nan() { f32::NAN } else { value }
+    })
 }
 
 /// log₂(1 + f)/f on 1 + f in [√½, √2]: relative error 1.7e-11, so n log₂ c of at most 150 is off by 3e-9.
@@ -97,7 +116,21 @@ const EXP2: [f64; 7] = [
 /// log₂ m = (2/ln 2) s (1 + s²/3 + s⁴ R(s²)), s = f/(2 + f), m = 1 + f. All that counts beyond the 53rd bit is
 /// kept: s, s², the sum and the products.
 #[inline(always)]
-pub(super) fn f64<const FUSED: bool, const VERSINE: bool>(x: f64, n: f64) -> f64 {
+pub(super) fn f64<const FUSED: bool, const VERSINE: bool, const U: usize>(
+    x: [f64; U],
+    n: [f64; U],
+) -> [f64; U] {
+    // Not by a closure, which is too large to be inlined: see `Job`.
+    let mut powers = x;
+    for (x, n) in powers.iter_mut().zip(n) {
+        *x = double::<FUSED, VERSINE>(*x, n);
+    }
+    powers
+}
+
+/// One of them.
+#[inline(always)]
+fn double<const FUSED: bool, const VERSINE: bool>(x: f64, n: f64) -> f64 {
     const THIRD: [f64; 2] = [0.3333333333333333, 1.850371707708594e-17];
     const TWO_LOG2_E: [f64; 2] = [2.8853900817779268, 4.0710547481862066e-17];
     let c = cosine::<VERSINE>(x);
