@@ -4,7 +4,7 @@
 //! beside it is half of what lies between the quartiles, as a share of the median. The arithmetic peak is that
 //! of this machine in the same runs: independent chains of fused multiply-adds (a multiply and an add where
 //! the unit fuses nothing), in registers, the best of three counts. A kernel's share of it counts six
-//! operations an element.
+//! operations an element; it can exceed 1, as a maximum and an add may run beside the multiplications.
 //!
 //! Errors are the largest in units in the last place over the rows of tests/references/slices.csv whose arguments
 //! are cosines and normal numbers, as their results are, for powers alone: not every power that is measured here takes
@@ -23,8 +23,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 const RUNS: usize = 15;
-/// In the second cache, and so many that a branch predictor does not learn the arguments by heart: repeated over 12 KiB,
-/// std's powf takes half the time.
+/// In the second cache with the results, and so many that what a call computes once does not show.
 const BYTES: usize = 65536;
 const N: f64 = 64.0;
 
