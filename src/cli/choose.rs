@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   bellfit choose --n 16..1024 --max-error 1e-3 --float f32 --angle difference
-  bellfit choose --roughness 0.1..0.4 --max-error 0.05 --relative --float f32 --no-transcendental
+  bellfit choose --roughness 0.1..0.4 --max-error 0.1 --relative --float f32 --no-transcendental
   bellfit choose --n 16..64 --max-error 0.02 --float f16 --angle difference --model phong --energy never-gains
   bellfit choose --n 16..256 --max-error 0.01 --float f32 --model phong --emit wgsl > lobe.wgsl
   bellfit choose --example > needs.toml; bellfit choose needs.toml
