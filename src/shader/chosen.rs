@@ -1,12 +1,13 @@
 //! From what was chosen to what is emitted.
 
 use super::Piece;
-use crate::bound::{Format, Measure};
+use super::number::upward;
+use crate::bound::{Format, Handed, Measure};
 use crate::choose::{Candidate, Need};
 
-/// 16 ε of f32: more than the roundings of any factor computed in it, at most 10.29 ε by the kernels' pages and
-/// one each for its constants and the product.
-const NUDGE: f64 = 16.0 * f32::EPSILON as f64;
+/// 32 ε of f32: more than the roundings of any factor computed in it, at most 21 ε where a shading language
+/// divides, and one each for its constants and the product.
+const NUDGE: f64 = 32.0 * f32::EPSILON as f64;
 
 /// The lobe of a candidate with what is proved of it in its comment, and, where a model was asked for, the factor
 /// that comes along.
@@ -37,9 +38,9 @@ pub fn pieces_of(candidate: &Candidate, need: &Need) -> Vec<Piece> {
 /// What is proved, over what and on what condition; `None` where nothing is.
 fn sentence(candidate: &Candidate, need: &Need) -> Option<String> {
     let bound = candidate.bound?;
-    let of = match need.measure {
-        Measure::Absolute => String::new(),
-        Measure::Relative { floor } => format!("/cosⁿ θ where cosⁿ θ >= {}", upwards(floor)),
+    let (of, at) = match need.measure {
+        Measure::Absolute => ("", String::new()),
+        Measure::Relative { floor } => ("/cosⁿ θ", format!(" with cosⁿ θ >= {floor}")),
     };
     let range = if need.n.from() == need.n.to() {
         format!("n = {}", need.n.from())
@@ -47,10 +48,10 @@ fn sentence(candidate: &Candidate, need: &Need) -> Option<String> {
         let kind = if need.n.is_whole() { "whole" } else { "real" };
         format!("every {kind} n of {}..{}", need.n.from(), need.n.to())
     };
-    let handed = match need.handed.id() {
-        "cosine" => "cos θ rounded once",
-        "versine" => "1 - cos θ rounded once",
-        _ => "|a - b|^2/2 of unit vectors rounded once",
+    let handed = match need.handed {
+        Handed::Cosine => "cos θ rounded once",
+        Handed::Versine => "1 - cos θ rounded once",
+        Handed::Difference => "|a - b|^2/2 of unit vectors rounded once",
     };
     let basis = if candidate.assumes_elementary {
         format!(
@@ -60,47 +61,20 @@ fn sentence(candidate: &Candidate, need: &Need) -> Option<String> {
     } else {
         "certified".to_owned()
     };
-    let constants = match (stand_in_has_constants(candidate), need.format) {
+    let constants = match (has_constants(candidate), need.format) {
         (true, Format::Double) => ", constants computed in f64",
         (true, _) => ", constants computed in f64 and rounded once",
         (false, _) => "",
     };
     let format = need.format.id();
     Some(format!(
-        "|lobe - cosⁿ θ|{of} <= {} for every θ in [0, π/2] and {range}, rounding in {format} from {handed} \
+        "|lobe - cosⁿ θ|{of} <= {} for every θ in [0, π/2]{at} and {range}, rounding in {format} from {handed} \
          included{constants}; {basis}.",
-        upwards(bound)
+        upward(bound)
     ))
 }
 
 /// Whether something is computed of n alone.
-fn stand_in_has_constants(candidate: &Candidate) -> bool {
+fn has_constants(candidate: &Candidate) -> bool {
     candidate.stand_in.bell().is_some()
-}
-
-/// Five digits, rounded up so that what is printed still bounds.
-fn upwards(x: f64) -> String {
-    let text = format!("{x:.4e}");
-    if text.parse::<f64>().is_ok_and(|printed| printed >= x) {
-        return text;
-    }
-    // one unit of the fifth digit, by the decimal exponent that was printed
-    let exponent: i32 = text.split_once('e').and_then(|(_, e)| e.parse().ok()).unwrap_or(0);
-    format!("{:.4e}", x + 0.5 * libm::exp10(f64::from(exponent - 4)))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn printed_bounds_are_not_below() {
-        let mut x = 1.234567e-9_f64;
-        while x < 3.0 {
-            let printed: f64 = upwards(x).parse().expect("a number");
-            assert!(printed >= x && printed <= x * 1.0002, "{x:e}");
-            x *= 1.37;
-        }
-        assert_eq!(upwards(0.25), "2.5000e-1");
-    }
 }

@@ -70,16 +70,21 @@ fn outward(x: f64, bounds: impl Fn(f64) -> bool) -> String {
     if x == 0.0 {
         return "0".to_owned();
     }
-    let unit = libm::exp10(libm::floor(libm::log10(x.abs())) - 4.0);
+    let unit = if is_plain(x) { 1e-4 } else { libm::exp10(libm::floor(libm::log10(x.abs())) - 4.0) };
     let texts = [0.0, 0.6, -0.6].map(|step| short(x + step * unit));
     texts.into_iter().find(|t| t.parse().is_ok_and(&bounds)).unwrap_or_else(|| format!("{x:?}"))
+}
+
+/// Whether [`short`] prints four decimals and no exponent.
+fn is_plain(x: f64) -> bool {
+    (1e-1..1e5).contains(&x.abs())
 }
 
 /// Five significant digits.
 pub(super) fn short(x: f64) -> String {
     if x == 0.0 {
         "0".to_owned()
-    } else if (1e-1..1e5).contains(&x.abs()) {
+    } else if is_plain(x) {
         let text = format!("{x:.4}");
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
     } else {
@@ -114,9 +119,15 @@ mod tests {
 
     #[test]
     fn printed_bounds_still_bound() {
-        for x in [1.72768e-2, 4.7747e-4, 4.774700628e-4, -2.0568e-12, -9.8142512e-3, 123.456789, 9.99996] {
-            let (up, down): (f64, f64) = (upward(x).parse().unwrap(), downward(x).parse().unwrap());
-            assert!(down <= x && x <= up && up - down < 3e-4 * x.abs(), "{x}: {down} {up}");
+        let mut x = 1e-12;
+        while x < 1e8 {
+            for x in [x, -x] {
+                let (up, down): (f64, f64) = (upward(x).parse().unwrap(), downward(x).parse().unwrap());
+                // Four decimals of 0.1 are coarsest, a thousandth on both sides together.
+                assert!(down <= x && x <= up && up - down <= 1.3e-3 * x.abs(), "{x}: {down} {up}");
+                assert!(upward(x).len() <= 11, "{x}: {}", upward(x));
+            }
+            x *= 1.0137;
         }
     }
 
