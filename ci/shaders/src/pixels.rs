@@ -51,7 +51,11 @@ pub fn factors(adapter: &Adapter) -> usize {
         for (stand_in, name, from, times, kernel) in cases {
             let rows: Vec<[f32; 1]> =
                 (0..=65_535).map(|i| [from + (1024.0 - from) * i as f32 / 65_535.0]).collect();
-            let found = adapter.run(&code(Piece::Factor { model, stand_in, nudge: 0.0 }), &format!("{name}(x0)"), &rows);
+            let found = adapter.run(
+                &code(Piece::Factor { model, stand_in, nudge: 0.0 }),
+                &format!("{name}(x0)"),
+                &rows,
+            );
             let mut measure = Measure::new(name);
             for (row, found) in rows.iter().zip(found) {
                 let value = kernel(f64::from(row[0]));
