@@ -662,3 +662,21 @@ fn sums_have_the_stated_order() {
         assert_eq!(unit.bell_sum(Bell::Lyon(8), &t, &weights), Ok(partial[0]));
     }
 }
+
+/// On the plain unit nothing fuses, and these do what the scalar does.
+#[test]
+fn cubic_bells_and_the_papers_weights_have_the_scalars_bits_on_the_plain_unit() {
+    use bellfit::kernel::pixel::{PaperReading, PixelWeight};
+    let mut draw = Draw(29);
+    let x: Vec<f32> = (0..1000).map(|_| draw.real(0.0, 20.0) as f32).collect();
+    let mut out = vec![0.0; x.len()];
+    for k in [2, 4, 8] {
+        Unit::plain().bell(Bell::Cubic(k), &x, &mut out).unwrap();
+        assert!(x.iter().zip(&out).all(|(t, y)| Bell::Cubic(k).at(*t) == *y), "K = {k}");
+    }
+    for reading in PaperReading::ALL {
+        let weight = PixelWeight::Paper(reading);
+        Unit::plain().weight(weight, &x, &mut out).unwrap();
+        assert!(x.iter().zip(&out).all(|(q, y)| weight.at(*q, 0.0) == *y), "{reading:?}");
+    }
+}
