@@ -8,7 +8,10 @@ use super::summary::{Group, summaries_of};
 use crate::verdict::Verdict;
 
 /// The blocks a README may ask for.
-const BLOCKS: [&str; 4] = ["cut", "verdicts", "kernels", "verdicts-pixel"];
+const BLOCKS: [&str; 4] = ["verdicts", "kernels", "cut", "fails"];
+
+/// The papers by the name in the table's head, and whether it is the one of pixels.
+const PAPERS: [(&str, bool); 2] = [("lobe", false), ("pixel", true)];
 
 fn begin(block: &str) -> String {
     format!("<!-- {block}: begin (written by `bellfit`, do not edit) -->")
@@ -18,32 +21,38 @@ fn end(block: &str) -> String {
     format!("<!-- {block}: end -->")
 }
 
-/// One row a claim: its text, its verdict, and the reasons, without the vacuous ones.
-fn table(study: &Study, pixel: bool) -> String {
-    let mut text = String::from("| claim | as stated | verdict | why |\n|---|---|---|---|\n");
-    for summary in summaries_of(study, pixel) {
-        let telling = |g: &&Group| !g.vacuous;
-        let of = |verdict| summary.groups.iter().filter(telling).find(|g| g.verdict == verdict);
-        let reasons: Vec<String> = if summary.groups.iter().all(|g| g.verdict == Verdict::Definition) {
-            summary.groups.iter().map(|g| g.reason.to_owned()).collect()
-        } else {
-            [
-                (Verdict::Proved, "holds"),
-                (Verdict::Reproduced, "holds by quadrature"),
-                (Verdict::Refuted, "fails"),
-            ]
-            .into_iter()
-            .filter_map(|(verdict, word)| of(verdict).map(|g| format!("{word}: {}", g.reason)))
-            .collect()
-        };
-        text.push_str(&format!(
-            "| {} | {} | {} | {} |\n",
-            summary.claim.id,
-            cell(&summary.claim.text),
-            summary.verdict(),
-            cell(&reasons.join("; "))
-        ));
+/// One row a claim: its text and its verdict.
+fn table(study: &Study) -> String {
+    let mut text = String::new();
+    for (title, pixel) in PAPERS {
+        text.push_str(&format!("| {title} | as stated | verdict |\n|---|---|---|\n"));
+        for summary in summaries_of(study, pixel) {
+            let verdict = summary.verdict();
+            let word = if verdict.starts_with("does not") { format!("**{verdict}**") } else { verdict };
+            text.push_str(&format!("| {} | {} | {word} |\n", summary.claim.id, cell(&summary.claim.text)));
+        }
+        text.push('\n');
     }
+    text.truncate(text.trim_end().len() + 1);
+    text
+}
+
+/// Of every claim with a reading that fails: why it fails, and why another holds; without the vacuous ones.
+fn fails(study: &Study) -> String {
+    let mut text = String::new();
+    for (title, pixel) in PAPERS {
+        text.push_str(&format!("The {title} paper:\n\n"));
+        for summary in summaries_of(study, pixel) {
+            let telling = |g: &&Group| !g.vacuous;
+            let of = |verdict| summary.groups.iter().filter(telling).find(|g| g.verdict == verdict);
+            let Some(refuted) = of(Verdict::Refuted) else { continue };
+            let holds = of(Verdict::Proved).or_else(|| of(Verdict::Reproduced));
+            let but = holds.map(|g| format!(" Another reading holds: {}.", g.reason)).unwrap_or_default();
+            text.push_str(&format!("- **{}**: {}.{but}\n", summary.claim.id, refuted.reason));
+        }
+        text.push('\n');
+    }
+    text.truncate(text.trim_end().len() + 1);
     text
 }
 
@@ -61,8 +70,8 @@ pub(super) fn splice_all(text: &str, study: &Study) -> Result<String, ArtifactEr
         let content = match block {
             "cut" => markdown::cut(study),
             "kernels" => better::kernels(study),
-            "verdicts-pixel" => table(study, true),
-            _ => table(study, false),
+            "fails" => fails(study),
+            _ => table(study),
         };
         splice(&text, block, &content)
     })
