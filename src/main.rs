@@ -24,11 +24,12 @@ fn main() -> ExitCode {
 
 /// One line on stderr and exit code 2.
 fn fail(message: &str) -> ExitCode {
-    // Of clap's several paragraphs the first says what is wrong; the rest is --help.
-    let first = message.split("\n\n").next().unwrap_or(message);
-    let words: Vec<&str> = first.split_whitespace().collect();
-    let line = words.join(" ");
-    let line = line.strip_prefix("error: ").unwrap_or(&line);
+    // Of clap's several paragraphs the first says what is wrong, and one may guess what was meant; the rest is --help.
+    let in_one_line = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let mut paragraphs = message.split("\n\n").map(in_one_line);
+    let first = paragraphs.next().unwrap_or_default();
+    let tip = paragraphs.find_map(|text| Some(format!(" ({})", text.strip_prefix("tip: ")?)));
+    let line = format!("{}{}", first.strip_prefix("error: ").unwrap_or(&first), tip.unwrap_or_default());
     use std::io::Write;
     let _ = writeln!(std::io::stderr(), "bellfit: {line}");
     ExitCode::from(2)

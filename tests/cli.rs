@@ -197,3 +197,9 @@ fn help_and_version_go_to_stdout() {
     }
     assert!(stdout(&bellfit(&["--version"])).contains(env!("CARGO_PKG_VERSION")));
 }
+
+#[test]
+fn a_misspelt_word_is_told_with_the_one_that_was_meant() {
+    one_line_and_exit_2(&["verfy"], "(a similar subcommand exists: 'verify')");
+    one_line_and_exit_2(&["fit", "--modell", "phong"], "(a similar argument exists: '--model')");
+}
