@@ -30,6 +30,9 @@ fn fail(message: &str) -> ExitCode {
     let first = paragraphs.next().unwrap_or_default();
     let tip = paragraphs.find_map(|text| Some(format!(" ({})", text.strip_prefix("tip: ")?)));
     let line = format!("{}{}", first.strip_prefix("error: ").unwrap_or(&first), tip.unwrap_or_default());
+    // What was given is quoted: a terminal's escape in it is shown, not sent.
+    let show = |c: char| if c.is_control() { c.escape_default().to_string() } else { c.to_string() };
+    let line: String = line.chars().map(show).collect();
     use std::io::Write;
     let _ = writeln!(std::io::stderr(), "bellfit: {line}");
     ExitCode::from(2)

@@ -14,12 +14,11 @@ use bellfit::choose::{
     Exponents, Failure, Need, NeedError, Price, SceneNeeds, Shape, Surface, Verdict, Weights, choose,
 };
 use bellfit::integral::GaussLegendre;
-use bellfit::kernel::cubic::{CubicLobe, cubic_bell};
-use bellfit::kernel::linear::LinearLobe;
+use bellfit::kernel::cubic::cubic_bell;
 use bellfit::kernel::lobe::versine;
 use bellfit::kernel::model::{Convention, LobeAngle, Model};
 use bellfit::kernel::pixel::{Axes, Jacobian, Skew};
-use bellfit::kernel::power::cos_n_whole;
+use bellfit::kernel::prepared::Prepared;
 use bellfit::kernel::real::Real;
 use bellfit::kernel::stand_in::StandIn;
 use bellfit::kernel::vector::versine_between;
@@ -27,27 +26,7 @@ use draw::Draw;
 
 /// A kernel with its constants of n computed in double precision and rounded once.
 fn kernel<F: Real>(stand_in: StandIn, handed: Handed, x: F, n: f64) -> F {
-    macro_rules! lobe {
-        ($lobe:expr) => {{
-            let lobe = $lobe.convert::<F>();
-            if handed == Handed::Cosine { lobe.at(x) } else { lobe.at_versine(x) }
-        }};
-    }
-    match stand_in {
-        StandIn::Cs16 => lobe!(LinearLobe::<16, f64>::lyon(n)),
-        StandIn::Linear2 => lobe!(LinearLobe::<2, f64>::new(n)),
-        StandIn::Linear4 => lobe!(LinearLobe::<4, f64>::new(n)),
-        StandIn::Linear8 => lobe!(LinearLobe::<8, f64>::new(n)),
-        StandIn::Linear16 => lobe!(LinearLobe::<16, f64>::new(n)),
-        StandIn::Linear32 => lobe!(LinearLobe::<32, f64>::new(n)),
-        StandIn::Cubic2 => lobe!(CubicLobe::<2, f64>::new(n)),
-        StandIn::Cubic4 => lobe!(CubicLobe::<4, f64>::new(n)),
-        StandIn::Cubic8 => lobe!(CubicLobe::<8, f64>::new(n)),
-        StandIn::Squarings if handed == Handed::Cosine => cos_n_whole(x, n as u32),
-        StandIn::Squarings => cos_n_whole(F::ONE - x, n as u32),
-        _ if handed == Handed::Cosine => stand_in.at(x, F::from_f64(n)),
-        _ => stand_in.at_versine(x, F::from_f64(n)),
-    }
+    Prepared::new(stand_in, n).of(handed.argument(), x)
 }
 
 /// |kernel - cosⁿ| at w = 1 - cos θ, or that over cosⁿ; none where cosⁿ is below the floor.

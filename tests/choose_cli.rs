@@ -2,11 +2,19 @@
 #![cfg(feature = "toolkit")]
 #![allow(clippy::unwrap_used)] // helpers of tests may panic as tests do
 
+#[path = "support/program.rs"]
+mod program;
+
 use serde_json::Value;
-use std::process::{Command, Output};
+use std::process::Output;
 
 fn bellfit(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_bellfit")).arg("choose").args(arguments).output().unwrap()
+    program::bellfit(&[&["choose"], arguments].concat())
+}
+
+#[track_caller]
+fn refused(arguments: &[&str], names: &str) {
+    program::refused(&[&["choose"], arguments].concat(), names);
 }
 
 #[track_caller]
@@ -16,16 +24,6 @@ fn answered(arguments: &[&str], code: i32) -> String {
     assert_eq!(output.status.code(), Some(code), "{arguments:?}: {error}");
     assert!(error.is_empty(), "{error}");
     String::from_utf8(output.stdout).unwrap()
-}
-
-#[track_caller]
-fn refused(arguments: &[&str], names: &str) {
-    let output = bellfit(arguments);
-    let error = String::from_utf8(output.stderr.clone()).unwrap();
-    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {error}");
-    assert_eq!(error.lines().count(), 1, "{arguments:?}: {error}");
-    assert!(error.starts_with("bellfit: ") && error.contains(names), "{arguments:?}: {error}");
-    assert!(output.stdout.is_empty(), "{arguments:?}");
 }
 
 const PLAIN: [&str; 6] = ["--n", "16..256", "--max-error", "1e-3", "--float", "f32"];

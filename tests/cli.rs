@@ -2,13 +2,13 @@
 //! written, and files that regenerate to the byte.
 #![cfg(feature = "toolkit")]
 
+#[path = "support/program.rs"]
+mod program;
+
+use program::{bellfit, refused};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
-
-fn bellfit(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_bellfit")).args(arguments).output().expect("the program starts")
-}
+use std::process::Output;
 
 fn stdout(output: &Output) -> String {
     String::from_utf8(output.stdout.clone()).expect("UTF-8")
@@ -38,16 +38,6 @@ fn files(root: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
         }
     }
     found
-}
-
-#[track_caller]
-fn one_line_and_exit_2(arguments: &[&str], names: &str) {
-    let output = bellfit(arguments);
-    let error = String::from_utf8(output.stderr.clone()).expect("UTF-8");
-    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {error}");
-    assert_eq!(error.lines().count(), 1, "{arguments:?}: {error}");
-    assert!(error.starts_with("bellfit: ") && error.contains(names), "{arguments:?}: {error}");
-    assert!(output.stdout.is_empty(), "{arguments:?}");
 }
 
 #[test]
@@ -91,14 +81,14 @@ fn the_committed_files_regenerate_to_the_byte() {
 
 #[test]
 fn what_cannot_be_written_leaves_everything_as_it_was() {
-    one_line_and_exit_2(&["--out", env!("CARGO_BIN_EXE_bellfit")], "not a folder");
-    one_line_and_exit_2(&["--out", "/proc/bellfit"], "/proc/bellfit");
+    refused(&["--out", env!("CARGO_BIN_EXE_bellfit")], "not a folder");
+    refused(&["--out", "/proc/bellfit"], "/proc/bellfit");
     // The last file of the run cannot be placed: none may be, and the one that stood before stays.
     let out = folder("obstructed");
     std::fs::create_dir_all(out.join("reports/verdicts.json")).expect("a folder in a file's place");
     std::fs::create_dir_all(out.join("fits")).expect("a folder");
     std::fs::write(out.join("fits/coefficients.csv"), "mine\n").expect("writable");
-    one_line_and_exit_2(&["--out", out.to_str().expect("UTF-8")], "is a folder");
+    refused(&["--out", out.to_str().expect("UTF-8")], "is a folder");
     let left: Vec<_> = files(&out).into_iter().collect();
     assert_eq!(left, [(PathBuf::from("fits/coefficients.csv"), b"mine\n".to_vec())]);
 }
@@ -107,17 +97,17 @@ fn what_cannot_be_written_leaves_everything_as_it_was() {
 fn bad_usage_gets_one_line_that_names_the_value() {
     let n = |range| ["fit", "--model", "phong", "--n", range];
     for range in ["0..10", "20..10", "NaN", "16", "..", "16..", "-1..5", "1.5..3", "1..65537", ""] {
-        one_line_and_exit_2(&n(range), "1 ≤ A ≤ B ≤ 65536");
+        refused(&n(range), "1 ≤ A ≤ B ≤ 65536");
     }
-    one_line_and_exit_2(&n("16..17"), "n = 16..17: 3 values of n are needed and 2 given");
-    one_line_and_exit_2(&["fit"], "--model");
-    one_line_and_exit_2(&["fit", "--model", "lambert"], "known are phong, ");
-    one_line_and_exit_2(&["fit", "--model", "phong", "--digits", "0"], "0 is not in 1..=15");
-    one_line_and_exit_2(&["fit", "--model", "phong", "--lobe", "cos-n", "--limit", "card"], "support only");
-    one_line_and_exit_2(&["--nonsense"], "--nonsense");
-    one_line_and_exit_2(&["nonsense"], "nonsense");
-    one_line_and_exit_2(&["--check", "--adopt"], "--adopt");
-    one_line_and_exit_2(&["verify"], "<FILE>");
+    refused(&n("16..17"), "n = 16..17: 3 values of n are needed and 2 given");
+    refused(&["fit"], "--model");
+    refused(&["fit", "--model", "lambert"], "known are phong, ");
+    refused(&["fit", "--model", "phong", "--digits", "0"], "0 is not in 1..=15");
+    refused(&["fit", "--model", "phong", "--lobe", "cos-n", "--limit", "card"], "support only");
+    refused(&["--nonsense"], "--nonsense");
+    refused(&["nonsense"], "nonsense");
+    refused(&["--check", "--adopt"], "--adopt");
+    refused(&["verify"], "<FILE>");
 }
 
 #[test]
@@ -128,15 +118,12 @@ fn claims_files_that_cannot_be_read_are_told_with_their_place() {
         std::fs::write(&path, bytes).expect("writable");
         path.to_str().expect("UTF-8").to_owned()
     };
-    one_line_and_exit_2(&["verify", "/nonexistent.toml"], "/nonexistent.toml: no such file");
-    one_line_and_exit_2(&["verify", out.to_str().expect("UTF-8")], "a folder");
-    one_line_and_exit_2(&["verify", &file("bytes.toml", &[0xff, 0xfe, 0])], "not UTF-8");
-    one_line_and_exit_2(&["verify", &file("empty.toml", b"")], "line 1");
+    refused(&["verify", "/nonexistent.toml"], "/nonexistent.toml: no such file");
+    refused(&["verify", out.to_str().expect("UTF-8")], "a folder");
+    refused(&["verify", &file("bytes.toml", &[0xff, 0xfe, 0])], "not UTF-8");
+    refused(&["verify", &file("empty.toml", b"")], "line 1");
     let unknown = b"version = 1\n\n[[claim]]\nid = \"a\"\ncolour = 3\n";
-    one_line_and_exit_2(
-        &["verify", &file("unknown.toml", unknown)],
-        "line 5, column 1: unknown field `colour`",
-    );
+    refused(&["verify", &file("unknown.toml", unknown)], "line 5, column 1: unknown field `colour`");
 }
 
 #[test]
@@ -200,6 +187,6 @@ fn help_and_version_go_to_stdout() {
 
 #[test]
 fn a_misspelt_word_is_told_with_the_one_that_was_meant() {
-    one_line_and_exit_2(&["verfy"], "(a similar subcommand exists: 'verify')");
-    one_line_and_exit_2(&["fit", "--modell", "phong"], "(a similar argument exists: '--model')");
+    refused(&["verfy"], "(a similar subcommand exists: 'verify')");
+    refused(&["fit", "--modell", "phong"], "(a similar argument exists: '--model')");
 }

@@ -1,11 +1,18 @@
 //! `bellfit fit` over every real n, as its user meets it.
 #![cfg(feature = "toolkit")]
 
-use std::process::{Command, Output};
+#[path = "support/program.rs"]
+mod program;
+
+use program::{bellfit, refused};
+use std::process::Output;
 
 fn fit(arguments: &str) -> Output {
-    let words = arguments.split_whitespace();
-    Command::new(env!("CARGO_BIN_EXE_bellfit")).arg("fit").args(words).output().expect("the program starts")
+    bellfit(&words(arguments))
+}
+
+fn words(arguments: &str) -> Vec<&str> {
+    std::iter::once("fit").chain(arguments.split_whitespace()).collect()
 }
 
 fn stdout(arguments: &str) -> String {
@@ -16,16 +23,6 @@ fn stdout(arguments: &str) -> String {
 
 fn json(arguments: &str) -> serde_json::Value {
     serde_json::from_str(&stdout(&format!("{arguments} --json"))).expect("JSON")
-}
-
-#[track_caller]
-fn one_line_and_exit_2(arguments: &str, names: &str) {
-    let output = fit(arguments);
-    let error = String::from_utf8(output.stderr).expect("UTF-8");
-    assert_eq!(output.status.code(), Some(2), "{arguments}: {error}");
-    assert_eq!(error.lines().count(), 1, "{arguments}: {error}");
-    assert!(error.starts_with("bellfit: ") && error.contains(names), "{arguments}: {error}");
-    assert!(output.stdout.is_empty(), "{arguments}");
 }
 
 /// Phong (modified) is (17/16)(n + 8/9 + (64/81)/(n - 8/9)) exactly.
@@ -71,7 +68,7 @@ fn a_line_over_integers_stays_the_default() {
 
 #[test]
 fn combinations_that_do_not_exist_are_named() {
-    let told = |words: &str, names| one_line_and_exit_2(&format!("--model phong {words}"), names);
+    let told = |more: &str, names| refused(&words(&format!("--model phong {more}")), names);
     told("--objective one-sided --over integers", "one-sided holds for every real n");
     told("--form inverse --over integers", "the minimax inverse is fitted over every real n");
     told("--objective ls-relative --over reals", "ls-relative sums over whole n");

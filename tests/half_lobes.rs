@@ -4,38 +4,12 @@
 //! Reference: the same kernel in f64, whose error is some 2⁻⁴⁰ of binary16's. An argument x stands for every angle
 //! that rounds to it, so the exact lobe is taken at x and just inside both ends of what rounds there.
 #![cfg(feature = "toolkit")]
-#![allow(clippy::unwrap_used)] // helpers of tests may panic as tests do
 
 use bellfit::bound::{Format, Handed, Measure, rounding};
-use bellfit::kernel::cubic::CubicLobe;
-use bellfit::kernel::linear::LinearLobe;
+use bellfit::kernel::prepared::Prepared;
 use bellfit::kernel::real::Real;
-use bellfit::kernel::stand_in::{Argument, StandIn};
+use bellfit::kernel::stand_in::StandIn;
 use bellfit::stability::Half;
-
-/// The lobe with its constants computed in f64 and rounded once to the arithmetic.
-fn lobe<A: Real>(stand_in: StandIn, argument: Argument, n: f64, x: A) -> A {
-    let cosine = argument == Argument::Cosine;
-    macro_rules! of {
-        ($lobe:expr) => {{
-            let lobe = $lobe.convert::<A>();
-            if cosine { lobe.at(x) } else { lobe.at_versine(x) }
-        }};
-    }
-    match stand_in {
-        StandIn::Cs16 => of!(LinearLobe::<16, f64>::lyon(n)),
-        StandIn::Linear2 => of!(LinearLobe::<2, f64>::new(n)),
-        StandIn::Linear4 => of!(LinearLobe::<4, f64>::new(n)),
-        StandIn::Linear8 => of!(LinearLobe::<8, f64>::new(n)),
-        StandIn::Linear16 => of!(LinearLobe::<16, f64>::new(n)),
-        StandIn::Linear32 => of!(LinearLobe::<32, f64>::new(n)),
-        StandIn::Cubic2 => of!(CubicLobe::<2, f64>::new(n)),
-        StandIn::Cubic4 => of!(CubicLobe::<4, f64>::new(n)),
-        StandIn::Cubic8 => of!(CubicLobe::<8, f64>::new(n)),
-        _ if cosine => stand_in.at(x, A::from_f64(n)),
-        _ => stand_in.at_versine(x, A::from_f64(n)),
-    }
-}
 
 /// (argument, the exact arguments that it stands for) for each binary16 number in [0, 1].
 fn arguments() -> impl Iterator<Item = (f64, [f64; 3])> {
@@ -63,14 +37,18 @@ fn every_argument_stays_within_the_certified_rounding() {
                     continue; // constants beyond binary16, or a denominator that may vanish
                 };
                 let (bound, argument) = (bound.value.hi(), handed.argument());
+                // Its constants from f64, rounded once to the arithmetic.
+                let half = Prepared::<Half>::new(stand_in, n);
+                let single = Prepared::<f32>::new(stand_in, n);
+                let double = Prepared::<f64>::new(stand_in, n);
                 let (mut largest, mut at) = (0.0_f64, 0.0);
                 for (x, exact) in arguments() {
                     let value = match format {
-                        Format::Half => lobe(stand_in, argument, n, Half::from_f64(x)).to_f64(),
-                        _ => Half::from_f64(lobe(stand_in, argument, n, x as f32).to_f64()).to_f64(),
+                        Format::Half => half.of(argument, Half::from_f64(x)).to_f64(),
+                        _ => Half::from_f64(single.of(argument, x as f32).to_f64()).to_f64(),
                     };
                     for exact in exact {
-                        let error = (value - lobe(stand_in, argument, n, exact)).abs();
+                        let error = (value - double.of(argument, exact)).abs();
                         if error > largest || error.is_nan() {
                             (largest, at) = (error, x);
                         }

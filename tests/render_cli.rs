@@ -4,26 +4,14 @@
 
 #[path = "support/png_file.rs"]
 mod png_file;
+#[path = "support/program.rs"]
+mod program;
 
 use png::{BitDepth, ColorType};
 use png_file::{folder, png_bytes, png_data};
+use program::{bellfit, refused};
 use std::collections::BTreeMap;
 use std::path::Path;
-use std::process::{Command, Output};
-
-fn bellfit(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_bellfit")).args(arguments).output().unwrap()
-}
-
-#[track_caller]
-fn refused(arguments: &[&str], names: &str) {
-    let output = bellfit(arguments);
-    let error = String::from_utf8(output.stderr.clone()).unwrap();
-    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {error}");
-    assert_eq!(error.lines().count(), 1, "{arguments:?}: {error}");
-    assert!(error.starts_with("bellfit: ") && error.contains(names), "{arguments:?}: {error}");
-    assert!(output.stdout.is_empty(), "{arguments:?}");
-}
 
 /// Every file below a folder.
 fn files(root: &Path) -> BTreeMap<String, Vec<u8>> {

@@ -9,9 +9,8 @@
 mod draw;
 
 use bellfit::bound::{Format, Handed, Measure, assumes_elementary, rounding, rounding_with};
-use bellfit::kernel::cubic::CubicLobe;
 use bellfit::kernel::linear::LinearLobe;
-use bellfit::kernel::power::cos_n_whole;
+use bellfit::kernel::prepared::Prepared;
 use bellfit::kernel::real::Real;
 use bellfit::kernel::stand_in::StandIn;
 use bellfit::kernel::vector::versine_between;
@@ -23,27 +22,7 @@ const FLOOR: f64 = 1.0 / 256.0;
 
 /// The kernel with the constants of n from `f64`, in the type F.
 fn kernel<F: Real>(stand_in: StandIn, x: F, n: f64, handed: Handed) -> F {
-    let from_cosine = handed == Handed::Cosine;
-    macro_rules! lobe {
-        ($lobe:expr) => {{
-            let lobe = $lobe.convert::<F>();
-            if from_cosine { lobe.at(x) } else { lobe.at_versine(x) }
-        }};
-    }
-    match stand_in {
-        StandIn::Cs16 => lobe!(LinearLobe::<16, f64>::lyon(n)),
-        StandIn::Linear2 => lobe!(LinearLobe::<2, f64>::new(n)),
-        StandIn::Linear4 => lobe!(LinearLobe::<4, f64>::new(n)),
-        StandIn::Linear8 => lobe!(LinearLobe::<8, f64>::new(n)),
-        StandIn::Linear16 => lobe!(LinearLobe::<16, f64>::new(n)),
-        StandIn::Linear32 => lobe!(LinearLobe::<32, f64>::new(n)),
-        StandIn::Cubic2 => lobe!(CubicLobe::<2, f64>::new(n)),
-        StandIn::Cubic4 => lobe!(CubicLobe::<4, f64>::new(n)),
-        StandIn::Cubic8 => lobe!(CubicLobe::<8, f64>::new(n)),
-        StandIn::Squarings => cos_n_whole(if from_cosine { x } else { F::ONE - x }, n as u32),
-        _ if from_cosine => stand_in.at(x, F::from_f64(n)),
-        _ => stand_in.at_versine(x, F::from_f64(n)),
-    }
+    Prepared::new(stand_in, n).of(handed.argument(), x)
 }
 
 /// The stand-in in double precision, from the versine.

@@ -6,33 +6,21 @@
 mod draw;
 #[path = "support/png_file.rs"]
 mod png_file;
+#[path = "support/program.rs"]
+mod program;
 
 use draw::Draw;
 use png::{BitDepth, ColorType};
 use png_file::{folder, png_bytes};
+use program::{bellfit, refused};
 use serde_json::Value;
 use std::path::PathBuf;
-use std::process::{Command, Output};
-
-fn bellfit(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_bellfit")).args(arguments).output().unwrap()
-}
 
 fn json(arguments: &[&str]) -> Value {
     let output = bellfit(arguments);
     let error = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(0), "{arguments:?}: {error}");
     serde_json::from_slice(&output.stdout).unwrap()
-}
-
-#[track_caller]
-fn refused(arguments: &[&str], names: &str) {
-    let output = bellfit(arguments);
-    let error = String::from_utf8(output.stderr.clone()).unwrap();
-    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {error}");
-    assert_eq!(error.lines().count(), 1, "{arguments:?}: {error}");
-    assert!(error.starts_with("bellfit: ") && error.contains(names), "{arguments:?}: {error}");
-    assert!(output.stdout.is_empty(), "{arguments:?}");
 }
 
 /// A texture of random 8-bit values, as a file and as values in 0..1.

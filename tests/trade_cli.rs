@@ -2,24 +2,13 @@
 #![cfg(feature = "toolkit")]
 #![allow(clippy::unwrap_used)] // helpers of tests may panic as tests do
 
+#[path = "support/program.rs"]
+mod program;
+
 use bellfit::report::trade_files;
 use bellfit::trade::{Record, Subject};
+use program::{bellfit, refused};
 use std::path::Path;
-use std::process::{Command, Output};
-
-fn bellfit(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_bellfit")).args(arguments).output().unwrap()
-}
-
-#[track_caller]
-fn refused(arguments: &[&str], names: &str) {
-    let output = bellfit(arguments);
-    let error = String::from_utf8(output.stderr.clone()).unwrap();
-    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {error}");
-    assert_eq!(error.lines().count(), 1, "{arguments:?}: {error}");
-    assert!(error.starts_with("bellfit: ") && error.contains(names), "{arguments:?}: {error}");
-    assert!(output.stdout.is_empty(), "{arguments:?}");
-}
 
 #[test]
 fn a_quick_look_prints_the_record_and_writes_the_files() {

@@ -29,7 +29,7 @@ pub fn decimal(text: &str) -> Option<(RBig, i32)> {
         None => (text, 0),
     };
     // Beyond this no double and no printed bound is meant, and 10^k would not fit in memory.
-    if exponent.abs() > 400 || text.len() > 400 {
+    if exponent.unsigned_abs() > 400 || text.len() > 400 {
         return None;
     }
     let (negative, digits) = match mantissa.strip_prefix('-') {
@@ -88,7 +88,9 @@ mod tests {
             assert_eq!(value * RBig::int(denominator), RBig::int(numerator), "{text}");
             assert_eq!(found, places, "{text}");
         }
-        for bad in ["", ".", "-", "1.2.3", "1e", "e5", "0x10", "1 000", "1e999999999", "NaN", "½"] {
+        for bad in
+            ["", ".", "-", "1.2.3", "1e", "e5", "0x10", "1 000", "1e999999999", "1e-2147483648", "NaN", "½"]
+        {
             assert!(decimal(bad).is_none(), "{bad}");
         }
     }

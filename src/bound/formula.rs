@@ -141,9 +141,12 @@ impl core::str::FromStr for Formula {
     type Err = FormulaError;
 
     /// Numbers, `n`, `pi` (or π), + - * / ^ and parentheses; powers are whole numbers, or
-    /// `2^(k*n/2)` with a whole k.
+    /// `2^(k*n/2)` with a whole k. Degrees up to 32, 256 terms, coefficients of 4096 bits, 1000 characters.
     fn from_str(text: &str) -> Result<Self, FormulaError> {
         let mut reader = Reader { text, characters: text.chars().collect(), at: 0, depth: 0 };
+        if reader.characters.len() > LONGEST_TEXT {
+            return Err(reader.error("a formula of more than 1000 characters"));
+        }
         let formula = reader.sum()?;
         reader.skip();
         if reader.at < reader.characters.len() {
@@ -158,8 +161,21 @@ const DEEPEST: usize = 64;
 /// The highest whole power read, and the highest degree in any of n, 2^(-n/2) and π, so that no text
 /// can exhaust memory: powers of powers multiply.
 const HIGHEST: i64 = 32;
-/// The longest coefficient that a power may make, in bits, for the same reason.
+/// The longest coefficient, in bits, for the same reason.
 const LONGEST: usize = 4096;
+/// The most terms above or below the bar: sums of quotients and products multiply them.
+const MOST: usize = 256;
+/// The longest text, in characters: far beyond what a paper prints.
+const LONGEST_TEXT: usize = 1000;
+
+/// The highest degree in any variable, and the longest coefficient in bits.
+fn sizes(formula: &Formula) -> (u32, usize) {
+    let parts = [&formula.numerator, &formula.denominator];
+    let degree = parts.iter().flat_map(|p| (0..3).map(|i| p.degree(i))).max().unwrap_or(0);
+    let bits = |c: &RBig| c.numerator().bit_len() + c.denominator().bit_len();
+    let length = parts.iter().flat_map(|p| p.terms().map(|(_, c)| bits(c))).max().unwrap_or(0);
+    (degree, length)
+}
 
 struct Reader<'a> {
     text: &'a str,
@@ -191,9 +207,11 @@ impl Reader<'_> {
         let mut total = if self.take('-') { self.product()?.times(&negative) } else { self.product()? };
         loop {
             if self.take('+') {
-                total = total.plus(&self.product()?);
+                let rhs = self.product()?;
+                total = self.small(total.plus(&rhs))?;
             } else if self.take('-') {
-                total = total.plus(&self.product()?.times(&negative));
+                let rhs = self.product()?.times(&negative);
+                total = self.small(total.plus(&rhs))?;
             } else {
                 return Ok(total);
             }
@@ -204,13 +222,14 @@ impl Reader<'_> {
         let mut total = self.power()?;
         loop {
             if self.take('*') {
-                total = total.times(&self.power()?);
+                let rhs = self.power()?;
+                total = self.small(total.times(&rhs))?;
             } else if self.take('/') {
                 let divisor = self.power()?;
                 if divisor.numerator.is_zero() {
                     return Err(self.error("division by 0"));
                 }
-                total = total.times(&divisor.inverse());
+                total = self.small(total.times(&divisor.inverse()))?;
             } else {
                 return Ok(total);
             }
@@ -229,14 +248,11 @@ impl Reader<'_> {
             if base.denominator.is_zero() {
                 return Err(self.error("division by 0"));
             }
-            let parts = [&base.numerator, &base.denominator];
-            let degree = parts.iter().flat_map(|p| (0..3).map(|i| p.degree(i))).max().unwrap_or(0);
-            let bits = |c: &RBig| c.numerator().bit_len() + c.denominator().bit_len();
-            let length = parts.iter().flat_map(|p| p.terms().map(|(_, c)| bits(c))).max().unwrap_or(0);
+            let (degree, length) = sizes(&base);
             if k.abs() * i64::from(degree) > HIGHEST || k.unsigned_abs() as usize * length > LONGEST {
                 return Err(self.error("a power too large to write out"));
             }
-            return Ok((0..k.abs()).fold(Formula::constant(RBig::int(1)), |p, _| p.times(&base)));
+            return (0..k.abs()).try_fold(Formula::constant(RBig::int(1)), |p, _| self.small(p.times(&base)));
         }
         if base.as_constant() != Some(RBig::int(2)) {
             return Err(self.error("only 2 can be raised to a power with n in it"));
@@ -257,6 +273,16 @@ impl Reader<'_> {
         let h = Formula::whole(Polynomial::h());
         let h = if k < 0 { h.inverse() } else { h };
         Ok((0..k.abs()).fold(Formula::constant(RBig::int(1)), |p, _| p.times(&h)))
+    }
+
+    /// A result that can be gone on with.
+    fn small(&self, formula: Formula) -> Result<Formula, FormulaError> {
+        let (degree, length) = sizes(&formula);
+        let terms = formula.numerator.terms().count().max(formula.denominator.terms().count());
+        if i64::from(degree) > HIGHEST || length > LONGEST || terms > MOST {
+            return Err(self.error("a formula too large to write out"));
+        }
+        Ok(formula)
     }
 
     fn whole(&self, value: &RBig, reason: &str) -> Result<i64, FormulaError> {
@@ -345,6 +371,16 @@ mod tests {
             "((9^32)^32)^32",
         ] {
             assert!(tower.parse::<Formula>().is_err(), "{tower}");
+        }
+        // What no power sign makes grows as well.
+        let sum: Vec<String> = (2..90).map(|k| format!("1/(n + {k})")).collect();
+        for long in [
+            vec!["(n + π + 2^(-n/2))"; 40].join("*"),
+            sum.join(" + "),
+            vec!["9^32"; 60].join("*"),
+            "n+".repeat(600) + "n",
+        ] {
+            assert!(long.parse::<Formula>().is_err(), "{long}");
         }
     }
 }

@@ -6,6 +6,7 @@ mod bell;
 mod clipped;
 mod curve;
 mod difference;
+mod digits;
 mod elementary;
 mod error_function;
 mod exact;
@@ -41,6 +42,7 @@ pub use difference::{
     DifferenceExtreme, cos_n_range, cut_effect, cut_numerator, cut_range, difference_infimum,
     difference_supremum, reciprocal,
 };
+pub(crate) use digits::{short, short_down, short_up};
 pub use exact::{decimal, enclose, exact, power_of_ten};
 pub use fixed::Fixed;
 pub use format::{Format, Handed};

@@ -2,11 +2,9 @@
 
 use super::Exponents;
 use crate::bound::{Format, Handed, Measure};
-use crate::kernel::cubic::CubicLobe;
-use crate::kernel::linear::LinearLobe;
-use crate::kernel::power::cos_n_whole;
+use crate::kernel::prepared::Prepared;
 use crate::kernel::real::Real;
-use crate::kernel::stand_in::{Argument, StandIn};
+use crate::kernel::stand_in::StandIn;
 use crate::kernel::vector::versine_between;
 use crate::stability::Half;
 
@@ -152,7 +150,7 @@ fn value<F: Real>(
             versine_between(place([0.0, 0.0, 1.0]), place([sin, 0.0, cos]))
         }
     };
-    at(stand_in, handed.argument(), x, n).to_f64()
+    Prepared::new(stand_in, n).of(handed.argument(), x).to_f64()
 }
 
 /// A rotation about two axes, the identity for 0.
@@ -160,33 +158,6 @@ fn turned([x, y, z]: [f64; 3], turn: u32) -> [f64; 3] {
     let (a, b) = (0.7 * f64::from(turn), 1.9 * f64::from(turn));
     let (x, z) = (x * libm::cos(a) + z * libm::sin(a), z * libm::cos(a) - x * libm::sin(a));
     [x * libm::cos(b) - y * libm::sin(b), x * libm::sin(b) + y * libm::cos(b), z]
-}
-
-/// The stand-in with its constants of n computed in `f64`.
-fn at<F: Real>(stand_in: StandIn, argument: Argument, x: F, n: f64) -> F {
-    fn linear<const K: u32, F: Real>(lobe: LinearLobe<K, f64>, argument: Argument, x: F) -> F {
-        let lobe = lobe.convert::<F>();
-        if argument == Argument::Cosine { lobe.at(x) } else { lobe.at_versine(x) }
-    }
-    fn cubic<const K: u32, F: Real>(n: f64, argument: Argument, x: F) -> F {
-        let lobe = CubicLobe::<K, f64>::new(n).convert::<F>();
-        if argument == Argument::Cosine { lobe.at(x) } else { lobe.at_versine(x) }
-    }
-    match stand_in {
-        StandIn::Cs16 => linear(LinearLobe::<16, f64>::lyon(n), argument, x),
-        StandIn::Linear2 => linear(LinearLobe::<2, f64>::new(n), argument, x),
-        StandIn::Linear4 => linear(LinearLobe::<4, f64>::new(n), argument, x),
-        StandIn::Linear8 => linear(LinearLobe::<8, f64>::new(n), argument, x),
-        StandIn::Linear16 => linear(LinearLobe::<16, f64>::new(n), argument, x),
-        StandIn::Linear32 => linear(LinearLobe::<32, f64>::new(n), argument, x),
-        StandIn::Cubic2 => cubic::<2, F>(n, argument, x),
-        StandIn::Cubic4 => cubic::<4, F>(n, argument, x),
-        StandIn::Cubic8 => cubic::<8, F>(n, argument, x),
-        StandIn::Squarings if argument == Argument::Cosine => cos_n_whole(x, n as u32),
-        StandIn::Squarings => cos_n_whole(F::ONE - x, n as u32),
-        _ if argument == Argument::Cosine => stand_in.at(x, F::from_f64(n)),
-        _ => stand_in.at_versine(x, F::from_f64(n)),
-    }
 }
 
 #[cfg(test)]

@@ -34,7 +34,7 @@ pub struct BellFormula {
 }
 
 impl BellFormula {
-    /// (T, α, β) at the exponent n.
+    /// (T, α, β) at the exponent n, each c₀ + c₁/n + c₂/n².
     ///
     /// ```
     /// use bellfit::kernel::cubic::BellFormula;
@@ -137,7 +137,7 @@ impl<const K: u32, F: Real> CubicLobe<K, F> {
     }
 
     /// The same lobe with its constants rounded to another type: those of a material computed in `f64` once, for
-    /// a shader that has less.
+    /// a shader that has less. Each constant c becomes c (1 + δ), |δ| ≤ u = 2⁻²⁴ or 2⁻⁵³.
     ///
     /// ```
     /// use bellfit::kernel::cubic::CubicLobe;
@@ -151,12 +151,29 @@ impl<const K: u32, F: Real> CubicLobe<K, F> {
     }
 
     /// k₁, k₂, k₃ of p = 1 - w (k₁ - w (k₂ - w k₃)), w = 1 - cos θ.
+    ///
+    /// With r = n/T: k₁ = (1 - α) r, k₂ = (β - α) r², k₃ = β r³.
+    ///
+    /// ```
+    /// use bellfit::kernel::{constants::CUBIC_COS_N, cubic::CubicLobe};
+    /// let (reach, alpha, beta) = CUBIC_COS_N[1].at(64.0_f64);
+    /// let (r, [k1, k2, k3]) = (64.0 / reach, CubicLobe::<4, f64>::new(64.0).horner());
+    /// assert_eq!([k1, k2, k3], [(1.0 - alpha) * r, (beta - alpha) * r * r, beta * r * r * r]);
+    /// ```
     #[inline]
     pub fn horner(&self) -> [F; 3] {
         self.horner
     }
 
     /// a, b, c, d of p = u³ + c u + d, u = a + b cos θ.
+    ///
+    /// ```
+    /// use bellfit::kernel::cubic::CubicLobe;
+    /// let lobe = CubicLobe::<4, f64>::new(64.0);
+    /// let ([a, b, c, d], [k1, k2, k3], w) = (lobe.depressed(), lobe.horner(), 0.01);
+    /// let u = a + b * (1.0 - w);
+    /// assert!((u * u * u + c * u + d - (1.0 - w * (k1 - w * (k2 - w * k3)))).abs() < 1e-13);
+    /// ```
     #[inline]
     pub fn depressed(&self) -> [F; 4] {
         self.depressed
@@ -212,7 +229,7 @@ impl<const K: u32, F: Real> CubicLobe<K, F> {
     }
 }
 
-/// [`CubicLobe::at`] for a single value, the constants computed on the spot; cos θ and n as
+/// [`CubicLobe::at`] for a single value, f = max(p, 0)^K, the constants computed on the spot; cos θ and n as
 /// [`cs`](super::lobe::cs) takes them.
 ///
 /// ```

@@ -27,7 +27,7 @@ pub struct LinearLobe<const K: u32, F> {
 }
 
 impl<const K: u32, F: Real> LinearLobe<K, F> {
-    /// With the reach T of [`LINEAR_COS_N`], which depends on n.
+    /// With the reach T of [`LINEAR_COS_N`], which depends on n: s = n/T.
     ///
     /// Domain: real n ≥ 16; below, the formula continues and nothing is proved. n ≤ 0, NaN, ∞: a lobe of NaN.
     ///
@@ -64,7 +64,7 @@ impl<const K: u32, F: Real> LinearLobe<K, F> {
     }
 
     /// The same lobe with its constants rounded to another type, as
-    /// [`CubicLobe::convert`](super::cubic::CubicLobe::convert).
+    /// [`CubicLobe::convert`](super::cubic::CubicLobe::convert): each c becomes c (1 + δ), |δ| ≤ u = 2⁻²⁴ or 2⁻⁵³.
     ///
     /// ```
     /// use bellfit::kernel::linear::LinearLobe;
@@ -78,6 +78,11 @@ impl<const K: u32, F: Real> LinearLobe<K, F> {
     }
 
     /// 1 - s and s of p = (1 - s) + s cos θ.
+    ///
+    /// ```
+    /// use bellfit::kernel::linear::LinearLobe;
+    /// assert_eq!(LinearLobe::<16, f64>::lyon(64.0).constants(), [1.0 - 64.0 / 16.0, 64.0 / 16.0]);
+    /// ```
     #[inline]
     pub fn constants(&self) -> [F; 2] {
         [self.offset, self.slope]

@@ -20,6 +20,7 @@
 //! | (not there) (1 - t/T)^K with the T that fits best | [`linear::LinearLobe`] |
 //! | (not there) bells of degree three | [`cubic::cubic_bell`], [`cubic::CubicLobe`] |
 //! | (not there) any of these, chosen at run time | [`stand_in::StandIn`] |
+//! | (not there) the same with its constants of n rounded once | [`prepared::Prepared`] |
 //! | (not there) L drawn for V, its density | [`sampling::sample`], [`sampling::pdf`] |
 //! | k_a, k_d, k_s | the fields of [`shading::PhongLambert`] |
 //!
@@ -35,6 +36,7 @@ pub mod lobe;
 pub mod model;
 pub mod pixel;
 pub mod power;
+pub mod prepared;
 pub mod real;
 pub mod sampling;
 pub mod shading;

@@ -21,7 +21,7 @@ pub fn dot<F: Real>(a: Vec3<F>, b: Vec3<F>) -> F {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// Product s v with a number.
+/// Product s v = (s v₀, s v₁, s v₂) with a number.
 ///
 /// ```
 /// use bellfit::kernel::vector::scale;
@@ -32,7 +32,7 @@ pub fn scale<F: Real>(s: F, v: Vec3<F>) -> Vec3<F> {
     [s * v[0], s * v[1], s * v[2]]
 }
 
-/// Sum a + b.
+/// Sum a + b = (a₀ + b₀, a₁ + b₁, a₂ + b₂).
 ///
 /// ```
 /// use bellfit::kernel::vector::add;
@@ -43,7 +43,7 @@ pub fn add<F: Real>(a: Vec3<F>, b: Vec3<F>) -> Vec3<F> {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
-/// Difference a - b.
+/// Difference a - b = (a₀ - b₀, a₁ - b₁, a₂ - b₂).
 ///
 /// ```
 /// use bellfit::kernel::vector::sub;
@@ -73,7 +73,7 @@ pub fn versine_between<F: Real>(a: Vec3<F>, b: Vec3<F>) -> F {
     F::HALF * dot(gap, gap)
 }
 
-/// Unit vector v/|v|; `None` for the zero vector and where a component is NaN or infinite.
+/// Unit vector v/|v|, |v| = √(v·v); `None` for the zero vector and where a component is NaN or infinite.
 ///
 /// Every finite nonzero length is served: the largest component is divided out first, so that squares
 /// neither overflow nor vanish.

@@ -8,6 +8,9 @@ use std::collections::BTreeSet;
 /// An error with its byte offset.
 pub(super) type Problem = (usize, String);
 
+/// The most readings that one entry's lists may multiply to.
+const MOST: usize = 1024;
+
 /// The readings that a raw one stands for: the product of its lists.
 pub(super) fn expand(raw: &RawReading) -> Result<Vec<Reading>, Problem> {
     let mut choices: Vec<Vec<(&str, &str, usize)>> = vec![vec![]];
@@ -17,6 +20,9 @@ pub(super) fn expand(raw: &RawReading) -> Result<Vec<Reading>, Problem> {
         let (at, list) = (list.span().start, list.get_ref());
         if list.words.is_empty() {
             return Err((at, format!("`{key}` is an empty list")));
+        }
+        if choices.len() * list.words.len() > MOST {
+            return Err((at, format!("`{key}`: the lists make more than {MOST} readings")));
         }
         let (mut next, mut next_ids) = (vec![], vec![]);
         for (choice, id) in choices.iter().zip(&ids) {

@@ -1,8 +1,7 @@
 //! From what was chosen to what is emitted.
 
 use super::Piece;
-use super::number::upward;
-use crate::bound::{Format, Handed, Measure};
+use crate::bound::{Format, Handed, Measure, short_up};
 use crate::choose::{Candidate, Need};
 
 /// 32 ε of f32: more than the roundings of any factor computed in it, at most 21 ε where a shading language
@@ -70,7 +69,7 @@ fn sentence(candidate: &Candidate, need: &Need) -> Option<String> {
     Some(format!(
         "|lobe - cosⁿ θ|{of} <= {} for every θ in [0, π/2]{at} and {range}, rounding in {format} from {handed} \
          included{constants}; {basis}.",
-        upward(bound)
+        short_up(bound)
     ))
 }
 

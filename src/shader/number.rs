@@ -1,6 +1,8 @@
-//! Numbers as text: constants in the digits of their format, bounds in few digits and rounded outward.
+//! Numbers as text: constants in the digits of their format.
 
 use crate::bound::Format;
+use crate::kernel::real::Real;
+use crate::stability::Half;
 
 /// The digits that a format needs.
 #[derive(Clone, Copy, Debug)]
@@ -11,7 +13,7 @@ impl Digits {
     /// exponent.
     pub fn of(self, value: f64) -> String {
         match self.0 {
-            Format::Half => shortest_half(half(value)),
+            Format::Half => shortest_half(value),
             Format::HalfStored | Format::Single => format!("{:?}", value as f32),
             Format::Double => format!("{value:?}"),
         }
@@ -37,59 +39,14 @@ impl Digits {
     }
 }
 
-/// `value` rounded to binary16, ties to even; subnormal numbers kept, +∞ beyond 65520.
-pub(super) fn half(value: f64) -> f64 {
-    if value == 0.0 || !value.is_finite() {
-        return value;
-    }
-    let exponent = libm::ilogb(value).max(-14) - 10;
-    let rounded = libm::scalbn(libm::rint(libm::scalbn(value, -exponent)), exponent);
-    if rounded.abs() > 65504.0 { f64::INFINITY.copysign(rounded) } else { rounded }
-}
-
-/// The shortest decimal that [`half`] takes to `value`.
+/// The shortest decimal that binary16 takes to what it takes `value` to.
 fn shortest_half(value: f64) -> String {
+    let half = |x: f64| Half::from_f64(x).to_f64();
+    let value = half(value);
     let reads_back = |text: &String| text.parse::<f64>().is_ok_and(|read| half(read) == value);
     let text = (0..5).map(|digits| format!("{value:.digits$e}")).find(reads_back);
     let shortest = text.and_then(|text| text.parse::<f64>().ok()).unwrap_or(value);
     format!("{shortest:?}")
-}
-
-/// A bound from above in five significant digits.
-pub(super) fn upward(x: f64) -> String {
-    outward(x, |read| read >= x)
-}
-
-/// A bound from below in five significant digits.
-pub(super) fn downward(x: f64) -> String {
-    outward(x, |read| read <= x)
-}
-
-/// The first of the nearest decimal and its neighbours that `bounds`.
-fn outward(x: f64, bounds: impl Fn(f64) -> bool) -> String {
-    if x == 0.0 {
-        return "0".to_owned();
-    }
-    let unit = if is_plain(x) { 1e-4 } else { libm::exp10(libm::floor(libm::log10(x.abs())) - 4.0) };
-    let texts = [0.0, 0.6, -0.6].map(|step| short(x + step * unit));
-    texts.into_iter().find(|t| t.parse().is_ok_and(&bounds)).unwrap_or_else(|| format!("{x:?}"))
-}
-
-/// Whether [`short`] prints four decimals and no exponent.
-fn is_plain(x: f64) -> bool {
-    (1e-1..1e5).contains(&x.abs())
-}
-
-/// Five significant digits.
-pub(super) fn short(x: f64) -> String {
-    if x == 0.0 {
-        "0".to_owned()
-    } else if is_plain(x) {
-        let text = format!("{x:.4}");
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    } else {
-        format!("{x:.4e}")
-    }
 }
 
 #[cfg(test)]
@@ -103,6 +60,7 @@ mod tests {
             let (e, m) = ((bits >> 10) as i32, f64::from(bits & 1023));
             if e == 0 { libm::scalbn(m, -24) } else { libm::scalbn(1024.0 + m, e - 25) }
         };
+        let half = |x: f64| Half::from_f64(x).to_f64();
         for bits in 0..0x7c00 {
             let value = of_bits(bits);
             assert_eq!(half(value), value);
@@ -115,20 +73,6 @@ mod tests {
         }
         assert_eq!((half(65519.0), half(65520.0)), (65504.0, f64::INFINITY));
         assert_eq!(Digits(Format::Half).of(0.1), "0.1");
-    }
-
-    #[test]
-    fn printed_bounds_still_bound() {
-        let mut x = 1e-12;
-        while x < 1e8 {
-            for x in [x, -x] {
-                let (up, down): (f64, f64) = (upward(x).parse().unwrap(), downward(x).parse().unwrap());
-                // Four decimals of 0.1 are coarsest, a thousandth on both sides together.
-                assert!(down <= x && x <= up && up - down <= 1.3e-3 * x.abs(), "{x}: {down} {up}");
-                assert!(upward(x).len() <= 11, "{x}: {}", upward(x));
-            }
-            x *= 1.0137;
-        }
     }
 
     #[test]

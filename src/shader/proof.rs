@@ -2,8 +2,9 @@
 
 use super::ShaderError;
 use super::lobe::formula;
-use super::number::{downward, short, upward};
-use crate::bound::{Extremes, Formula, LobeIntegral, Residual, cosine_bell, exponential_bell};
+use crate::bound::{
+    Extremes, Formula, LobeIntegral, Residual, cosine_bell, exponential_bell, short, short_down, short_up,
+};
 use crate::integral::{Case, Limit, Lobe};
 use crate::kernel::constants::{CS16_ONE_SIDED, CUBIC_EXP, CUBIC_FACTOR};
 use crate::kernel::model::Model;
@@ -78,7 +79,7 @@ fn bell_error(stand_in: StandIn) -> Option<String> {
     Some(format!(
         "|lobe - cosⁿ θ| <= {}, certified in exact arithmetic for every θ in [0, pi/2] and every real n >= 16; reached \
          to {TOLERANCE:e} of it at {}, n (1 - cos θ) = {}. It falls to its cut without a jump.",
-        upward(error.value.hi()),
+        short_up(error.value.hi()),
         place(1.0 / m),
         short(y * (a + m * (b + m * c)))
     ))
@@ -115,8 +116,8 @@ fn residual(Extremes { min, max }: Extremes, domain: &str) -> String {
     }
     format!(
         "the lobe integrates to 1 + r, {} <= r <= {}, certified in exact arithmetic for {domain}; the ends at {} and {}.",
-        downward(min.value.lo()),
-        upward(max.value.hi()),
+        short_down(min.value.lo()),
+        short_up(max.value.hi()),
         place(min.n),
         place(max.n)
     )
@@ -130,7 +131,7 @@ pub(super) fn exponential_error(power: u32, cubic: bool) -> Result<String, Shade
         let coefficients = if cubic { *CUBIC_EXP.get(row)? } else { [1.0, 0.0, 0.0] };
         let (error, proof) = exponential_bell(power, coefficients, None, 1e-9)?;
         (proof.decreasing && proof.continuous && proof.negative_beyond).then(|| {
-            let (bound, at) = (upward(error.value.hi()), short(error.at[0]));
+            let (bound, at) = (short_up(error.value.hi()), short(error.at[0]));
             format!("{bound}, certified in exact arithmetic for every t >= 0 and reached to 1e-9 at t = {at}")
         })
     })

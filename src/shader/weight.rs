@@ -3,11 +3,12 @@
 use super::ShaderError;
 use super::function::{Function, Item, Statement, Type, squarings};
 use super::language::Target;
-use super::number::{half, short};
 use super::proof::exponential_error;
-use crate::bound::Format;
+use crate::bound::{Format, short};
 use crate::kernel::constants::CUBIC_EXP;
 use crate::kernel::pixel::{PaperReading, PixelWeight};
+use crate::kernel::real::Real;
+use crate::stability::Half;
 
 const DOMAIN: &str = "Domain: Q in [0, 1e9]; values in [0, 1]. NaN: unspecified.";
 
@@ -114,7 +115,7 @@ fn radial(name: &str, about: Vec<String>, body: Vec<Statement>) -> Item {
 fn scale(sigma: f64, power: u32, target: Target) -> Result<f64, ShaderError> {
     let scale = 1.0 / (2.0 * sigma * sigma * f64::from(power));
     let (rounded, least) = match target.format {
-        Format::Half => (half(scale), 1.0 / 16384.0),
+        Format::Half => (Half::from_f64(scale).to_f64(), 1.0 / 16384.0),
         Format::Double => (scale, f64::MIN_POSITIVE),
         _ => (f64::from(scale as f32), f64::from(f32::MIN_POSITIVE)),
     };

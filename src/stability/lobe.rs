@@ -2,11 +2,9 @@
 
 use super::{Angle, DoubleDouble, Half};
 use crate::bound::{Format, Handed};
-use crate::kernel::cubic::CubicLobe;
-use crate::kernel::linear::LinearLobe;
-use crate::kernel::power::cos_n_whole;
+use crate::kernel::prepared::Prepared;
 use crate::kernel::real::Real;
-use crate::kernel::stand_in::{Argument, StandIn};
+use crate::kernel::stand_in::StandIn;
 use crate::kernel::vector::versine_between;
 use std::f64::consts::FRAC_PI_2;
 
@@ -99,55 +97,6 @@ pub fn angles(n: f64) -> Vec<f64> {
     all
 }
 
-type Lobe<A> = Box<dyn Fn(A) -> A>;
-
-/// The kernel with its constants of n computed in `f64` and rounded to the format; `None` where one is beyond.
-fn prepare<A: Real>(stand_in: StandIn, argument: Argument, n: f64) -> Option<Lobe<A>> {
-    fn linear<const K: u32, A: Real>(lobe: LinearLobe<K, f64>, argument: Argument) -> Option<Lobe<A>> {
-        let lobe = lobe.convert::<A>();
-        let finite = lobe.constants().iter().all(|c| c.is_finite());
-        finite.then(|| match argument {
-            Argument::Cosine => Box::new(move |cos| lobe.at(cos)) as Lobe<A>,
-            Argument::Versine => Box::new(move |versine| lobe.at_versine(versine)),
-        })
-    }
-    fn cubic<const K: u32, A: Real>(lobe: CubicLobe<K, f64>, argument: Argument) -> Option<Lobe<A>> {
-        let lobe = lobe.convert::<A>();
-        let (horner, depressed) = (lobe.horner(), lobe.depressed());
-        // K = 8 goes by way of 1 - cos θ.
-        let used: &[A] = if argument == Argument::Cosine && K <= 4 { &depressed } else { &horner };
-        used.iter().all(|c| c.is_finite()).then(|| match argument {
-            Argument::Cosine => Box::new(move |cos| lobe.at(cos)) as Lobe<A>,
-            Argument::Versine => Box::new(move |versine| lobe.at_versine(versine)),
-        })
-    }
-    match stand_in {
-        StandIn::Cs16 => linear(LinearLobe::<16, f64>::lyon(n), argument),
-        StandIn::Linear2 => linear(LinearLobe::<2, f64>::new(n), argument),
-        StandIn::Linear4 => linear(LinearLobe::<4, f64>::new(n), argument),
-        StandIn::Linear8 => linear(LinearLobe::<8, f64>::new(n), argument),
-        StandIn::Linear16 => linear(LinearLobe::<16, f64>::new(n), argument),
-        StandIn::Linear32 => linear(LinearLobe::<32, f64>::new(n), argument),
-        StandIn::Cubic2 => cubic(CubicLobe::<2, f64>::new(n), argument),
-        StandIn::Cubic4 => cubic(CubicLobe::<4, f64>::new(n), argument),
-        StandIn::Cubic8 => cubic(CubicLobe::<8, f64>::new(n), argument),
-        StandIn::Squarings => {
-            let whole = n as u32;
-            (f64::from(whole) == n).then(|| match argument {
-                Argument::Cosine => Box::new(move |cos| cos_n_whole(cos, whole)) as Lobe<A>,
-                Argument::Versine => Box::new(move |versine| cos_n_whole(A::ONE - versine, whole)),
-            })
-        }
-        _ => {
-            let n = A::from_f64(n);
-            n.is_finite().then(|| match argument {
-                Argument::Cosine => Box::new(move |cos| stand_in.at(cos, n)) as Lobe<A>,
-                Argument::Versine => Box::new(move |versine| stand_in.at_versine(versine, n)),
-            })
-        }
-    }
-}
-
 /// A direction with one across it: the rows of rotations by the quaternions (1, 0, 0, 0), (3, 1, -2, 4) and
 /// (2, 5, 1, -3), exact fractions.
 fn frames() -> [[[DoubleDouble; 3]; 2]; 3] {
@@ -203,8 +152,11 @@ fn values(
         handed: Handed,
         arguments: &[Vec<f64>],
     ) -> Option<Vec<Vec<f64>>> {
-        let lobe = prepare::<A>(stand_in, handed.argument(), n)?;
-        let one = |x: &f64| S::from_f64(lobe(A::from_f64(*x)).to_f64()).to_f64();
+        let (argument, lobe) = (handed.argument(), Prepared::<A>::new(stand_in, n));
+        if !lobe.is_finite(argument) {
+            return None;
+        }
+        let one = |x: &f64| S::from_f64(lobe.of(argument, A::from_f64(*x)).to_f64()).to_f64();
         Some(arguments.iter().map(|pairs| pairs.iter().map(one).collect()).collect())
     }
     match format {

@@ -25,7 +25,8 @@ impl TiltFormula {
     /// Both.
     pub const ALL: [TiltFormula; 2] = [TiltFormula::Vector, TiltFormula::Conic];
 
-    /// The angle in radians, in [-π/2, π/2] and [-π/4, π/4]; NaN for 0/0 (a zero derivative; a circle).
+    /// α = arctan(Vx/Ux) or α = ½ arctan(B/(A - C)), in radians, in [-π/2, π/2] and [-π/4, π/4]; NaN for 0/0 (a zero
+    /// derivative; a circle).
     ///
     /// As printed: A - C cancels near a circle, and the conic's domain is that of [`Conic`]. A component that is
     /// not finite: NaN, or an angle without meaning.
@@ -120,8 +121,8 @@ impl<F: Real> Axes<F> {
         }
     }
 
-    /// The paper's: half lengths of the two derivative vectors, (10), and either tilt; the first along the
-    /// tilt, whether it is the longer one or not.
+    /// The paper's: half lengths of the two derivative vectors, √(Ux² + Vx²) and √(Uy² + Vy²), (10), and either tilt;
+    /// the first along the tilt, whether it is the longer one or not.
     ///
     /// The true axes where the derivatives are perpendicular, (ux, vx) is the longer and the tilt is
     /// [`TiltFormula::Vector`]; otherwise another ellipse. Domain and NaN: [`Jacobian::lengths`] and
@@ -140,7 +141,7 @@ impl<F: Real> Axes<F> {
         Axes { major, minor, tilt: tilt.angle(j) }
     }
 
-    /// Major by minor; +∞ for a line, NaN for a point.
+    /// The aspect a = major/minor; +∞ for a line, NaN for a point.
     ///
     /// ```
     /// use bellfit::kernel::pixel::Axes;
@@ -151,7 +152,7 @@ impl<F: Real> Axes<F> {
         self.major / self.minor
     }
 
-    /// The same with the minor axis no shorter than major/`anisotropy`.
+    /// The same with the minor axis no shorter than major/`anisotropy`: minor' = max(minor, major/anisotropy).
     ///
     /// Domain: anisotropy ≥ 1; +∞ limits nothing. 0 and NaN: minor +∞ and NaN.
     ///
@@ -166,7 +167,7 @@ impl<F: Real> Axes<F> {
         Axes { minor: self.minor.max(self.major / anisotropy), ..self }
     }
 
-    /// Coordinates along the axes.
+    /// Coordinates along the axes: cos = cos α and sin = sin α of the tilt α.
     ///
     /// ```
     /// use bellfit::kernel::pixel::{Axes, Frame};
@@ -215,7 +216,8 @@ impl<F: Real> Frame<F> {
         ((u * self.cos + v * self.sin) / self.major, (v * self.cos - u * self.sin) / self.minor)
     }
 
-    /// The matrix M of the ellipse: uu, uv, vv.
+    /// The matrix M of the ellipse: uu = a² cos²α + b² sin²α, uv = (a² - b²) cos α sin α, vv = a² sin²α + b² cos²α, a
+    /// and b the semi-axes.
     ///
     /// ```
     /// use bellfit::kernel::pixel::Frame;

@@ -32,7 +32,7 @@ pub struct Conic<F> {
 }
 
 impl<F: Real> Conic<F> {
-    /// The coefficients by the paper's expressions, F from the accurate determinant.
+    /// The coefficients by the paper's expressions, A = Vx² + Vy² and so on, F = (det J)² from the accurate determinant.
     ///
     /// ```
     /// use bellfit::kernel::pixel::{Conic, Jacobian};

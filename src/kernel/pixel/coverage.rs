@@ -205,7 +205,7 @@ pub struct Tangent<F> {
 }
 
 impl<F: Real> Tangent<F> {
-    /// Beside the texel centred at (u, v) from the middle.
+    /// Beside the texel centred at x = (u, v) from the middle: distance = (1 - √Q) √Q/|M⁻¹x|, normal M⁻¹x/|M⁻¹x|.
     ///
     /// At the middle itself no direction is nearest: the distance is +∞ and the normal 0. A degenerate
     /// footprint: -∞ and 0. NaN in the footprint, u or v: NaN. Accuracy: Q is off by u times the aspect, the

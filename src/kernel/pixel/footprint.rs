@@ -151,7 +151,7 @@ impl<F: Real> Footprint<F> {
         Row { middle: v * (self.uv / self.vv), least: v * (v / self.vv), curvature }
     }
 
-    /// Q at (u, v) from the middle, in texels: 0 there, 1 on the ellipse.
+    /// Q = v²/vv + (vv/det M)(u - v uv/vv)² at (u, v) from the middle, in texels: 0 there, 1 on the ellipse.
     ///
     /// ```
     /// use bellfit::kernel::pixel::{Footprint, Jacobian, Padding};

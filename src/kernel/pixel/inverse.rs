@@ -44,7 +44,7 @@ pub struct Inverse<F> {
 }
 
 impl<F: Real> Inverse<F> {
-    /// Of a Jacobian.
+    /// Of a Jacobian: J and the root √(det²) or √(det² + |J|² + 1) of Q's denominator.
     ///
     /// ```
     /// use bellfit::kernel::pixel::{Inverse, Jacobian, Padding};
@@ -78,7 +78,8 @@ impl<F: Real> Inverse<F> {
         }
     }
 
-    /// Q at (u, v) from the middle, in texels: 1 on the ellipse.
+    /// Q = (c₁² + c₂²)/det², or padded (c₁² + c₂² + U² + V²)/(det² + |J|² + 1), at (u, v) from the middle, in texels: 1
+    /// on the ellipse.
     ///
     /// ```
     /// use bellfit::kernel::pixel::{Inverse, Jacobian, Padding};

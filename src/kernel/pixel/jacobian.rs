@@ -58,7 +58,7 @@ impl<F: Real> Jacobian<F> {
         Jacobian { ux: self.ux * s, vx: self.vx * s, uy: self.uy * s, vy: self.vy * s }
     }
 
-    /// Lengths of (ux, vx) and (uy, vy) in texels, the two conjugate semi-diameters of the ellipse; both
+    /// Lengths √(ux² + vx²) and √(uy² + vy²) in texels, of two conjugate semi-diameters of the ellipse;
     /// neither below its minor semi-axis nor above the major one.
     ///
     /// Within 1 ulp; +∞ where a length is beyond the type, or a component infinite.

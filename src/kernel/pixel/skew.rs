@@ -48,7 +48,8 @@ pub struct Skew<F> {
 }
 
 impl<F: Real> Skew<F> {
-    /// Of a Jacobian; ρ is +∞ or NaN where the first vector is 0.
+    /// Of a Jacobian: φ = arg((ux uy + vx vy) + i det J), ρ = |(uy, vy)|/|(ux, vx)|, which is +∞ or NaN where the first
+    /// vector is 0.
     ///
     /// Domain: every finite J, whatever its size. A component that is not finite: an angle of NaN.
     ///
@@ -76,7 +77,15 @@ impl<F: Real> Skew<F> {
         Skew { angle: cross.scaled(a - e).atan2(dot.scaled(b - e)), ratio: second / first }
     }
 
-    /// A Jacobian of this shape: the first vector (1, 0).
+    /// A Jacobian of this shape: the first vector (1, 0), the second ρ (cos φ, sin φ). Each within 3 u = 3·2⁻²⁴ or
+    /// 3·2⁻⁵³ relatively.
+    ///
+    /// ```
+    /// use bellfit::kernel::pixel::Skew;
+    /// let j = Skew { angle: std::f64::consts::FRAC_PI_3, ratio: 2.0 }.jacobian();
+    /// assert_eq!((j.ux, j.vx), (1.0, 0.0));
+    /// assert!((j.uy - 1.0).abs() < 1e-15 && (j.vy - libm::sqrt(3.0)).abs() < 1e-15);
+    /// ```
     #[inline]
     pub fn jacobian(self) -> Jacobian<F> {
         let Skew { angle, ratio } = self;
@@ -90,9 +99,16 @@ impl<F: Real> Skew<F> {
         (F::ONE + square * twice.cos(), square * twice.sin())
     }
 
-    /// True major axis by the longer of the paper's two, in [1, √2].
+    /// True major axis by the longer of the paper's two, in [1, √2]: √(½ (1 + ρ² + |1 + ρ² e^(2iφ)|))/max(1, ρ).
     ///
     /// Rounding: 4 ε. NaN: NaN; ρ² beyond the type: +∞; ρ² that vanishes: 1.
+    ///
+    /// ```
+    /// use bellfit::kernel::pixel::Skew;
+    /// // parallel and equal: √2, the largest there is
+    /// assert!((Skew { angle: 0.0_f64, ratio: 1.0 }.major() - libm::sqrt(2.0)).abs() < 1e-15);
+    /// assert_eq!(Skew { angle: std::f64::consts::FRAC_PI_2, ratio: 3.0 }.major(), 1.0);
+    /// ```
     #[inline]
     pub fn major(self) -> F {
         let (x, y) = self.turn();
@@ -101,21 +117,40 @@ impl<F: Real> Skew<F> {
         (F::HALF * (sum + x.hypot(y))).sqrt() / longest
     }
 
-    /// True minor axis by the shorter of the paper's two, in [0, 1].
+    /// True minor axis by the shorter of the paper's two, in [0, 1]: σ₂/min(p, q) = |sin φ|/[`major`](Self::major), as the axes' product
+    /// is that of the vectors times |sin φ|.
+    ///
+    /// ```
+    /// use bellfit::kernel::pixel::Skew;
+    /// let skew = Skew { angle: std::f64::consts::FRAC_PI_6, ratio: 1.0 };
+    /// assert!((skew.minor() * skew.major() - 0.5).abs() < 1e-15);
+    /// ```
     #[inline]
     pub fn minor(self) -> F {
         self.angle.sin().abs() / self.major()
     }
 
-    /// Area of the paper's ellipse by that of the true one, 1/|sin φ|; +∞ where the true one is a line.
+    /// Area of the paper's ellipse by that of the true one, a = 1/|sin φ|; +∞ where the true one is a line.
+    ///
+    /// ```
+    /// use bellfit::kernel::pixel::Skew;
+    /// let area = Skew { angle: -std::f64::consts::FRAC_PI_6, ratio: 5.0 }.area();
+    /// assert!((area - 2.0).abs() < 1e-15);
+    /// ```
     #[inline]
     pub fn area(self) -> F {
         F::ONE / self.angle.sin().abs()
     }
 
-    /// Tilt of the true major axis from the first vector, in (-π/2, π/2]: the error of
+    /// Tilt ½ arg(1 + ρ² e^(2iφ)) of the true major axis from the first vector, in (-π/2, π/2]: the error of
     /// [`TiltFormula::Vector`](super::TiltFormula::Vector). Without meaning for a circle, φ = ±90° and ρ = 1,
     /// where rounding decides.
+    ///
+    /// ```
+    /// use bellfit::kernel::pixel::Skew;
+    /// // equal vectors: half way between them
+    /// assert!((Skew { angle: 1.0_f64, ratio: 1.0 }.tilt() - 0.5).abs() < 1e-15);
+    /// ```
     #[inline]
     pub fn tilt(self) -> F {
         let (x, y) = self.turn();
@@ -129,13 +164,27 @@ impl<F: Real> Skew<F> {
     /// B/(A - C) is the tangent of twice the true tilt, and half an arctangent lies within ±45°: it is right
     /// where the true tilt does, cos 2(angle + tilt) ≥ 0, and off by 90° elsewhere, for half of all
     /// directions.
+    ///
+    /// ```
+    /// use bellfit::kernel::pixel::Skew;
+    /// let skew = Skew { angle: 1.0_f64, ratio: 1.0 }; // tilt ½
+    /// assert!(!skew.conic_is_turned(0.25) && skew.conic_is_turned(0.75)); // ¾ and 5/4 radians, about π/4
+    /// ```
     #[inline]
     pub fn conic_is_turned(self, first: F) -> bool {
         let twice = F::TWO * (first + self.tilt());
         twice.cos() < F::ZERO
     }
 
-    /// The true axes in units of the first vector, which lies along the u axis.
+    /// The true axes in units of the first vector, which lies along the u axis: major = max(1, ρ) times
+    /// [`major`](Self::major), minor = min(1, ρ) times [`minor`](Self::minor).
+    ///
+    /// ```
+    /// use bellfit::kernel::pixel::{Axes, Padding, Skew};
+    /// let skew = Skew { angle: 0.7_f64, ratio: 2.0 };
+    /// let (closed, true_ones) = (skew.axes(), Axes::of(skew.jacobian(), Padding::Plain));
+    /// assert!((closed.major - true_ones.major).abs() < 1e-14 && (closed.minor - true_ones.minor).abs() < 1e-14);
+    /// ```
     #[inline]
     pub fn axes(self) -> Axes<F> {
         let (longest, shortest) = (F::ONE.max(self.ratio), F::ONE.min(self.ratio));

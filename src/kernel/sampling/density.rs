@@ -48,9 +48,16 @@ impl Profile {
         }
     }
 
-    /// The lobe at a versine: [`cos_n_versine`] or [`cs_versine`], whose pages state domain and accuracy.
+    /// The lobe at a versine, (1 - w)ⁿ or (1 - n w/K)ᴷ: [`cos_n_versine`] or [`cs_versine`], whose pages state domain and
+    /// accuracy.
     ///
     /// Cost: cosⁿ 1 log1p, 1 exp; a bell log₂ K + 1 multiplications, 1 division by a power of two.
+    ///
+    /// ```
+    /// use bellfit::kernel::sampling::Profile;
+    /// assert_eq!(Profile::Cs4.value(0.25_f64, 8.0), libm::pow(1.0 - 8.0 * 0.25 / 4.0, 4.0));
+    /// assert!((Profile::CosN.value(0.25_f64, 8.0) - libm::pow(0.75, 8.0)).abs() < 1e-16);
+    /// ```
     #[inline]
     pub fn value<F: Real>(self, versine: F, n: F) -> F {
         match self {
