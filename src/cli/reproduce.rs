@@ -1,7 +1,7 @@
 //! `bellfit reproduce`.
 
 use super::{Outcome, print};
-use crate::report::{Artifacts, Study, verdict_lines};
+use crate::report::{Artifacts, Measured, Study, verdict_lines};
 use anyhow::{Result, bail};
 use clap::Args;
 use std::fmt::Write;
@@ -46,7 +46,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome> {
     };
     let study = Study::run(&stage)?;
     let studied = Instant::now();
-    let mut artifacts = Artifacts::generate(&study)?;
+    let mut artifacts = Artifacts::generate(&study, &Measured::read(root))?;
     stage("tables and plots", studied.elapsed());
     let took = start.elapsed().as_secs_f64();
     let stages = stages.into_inner().unwrap_or_else(PoisonError::into_inner).join(", ");

@@ -1,10 +1,11 @@
 //! The files of a run: made in memory, then compared or written whole.
 
-use super::figures::{self, Better, ResidualLine};
+use super::figures::{self, Better, Figure, ResidualLine};
+use super::measured::{FOLDER, Measured};
 use super::study::Study;
 use super::study::case;
 use super::{
-    albedo_table, constants, factor_table, filter_images, filter_table, kernel_table, markdown, pixel,
+    albedo_table, constants, factor_table, filter_images, filter_table, html, kernel_table, markdown, pixel,
     readme, stability_table, table_one, tables,
 };
 use crate::fit::Objective;
@@ -56,11 +57,11 @@ pub struct Artifacts {
 const CONSTANTS: &str = "src/kernel/constants.rs";
 
 impl Artifacts {
-    /// Everything under fits/ and reports/.
+    /// Everything under fits/ and reports/ but what is measured, which the report shows as it is given.
     ///
     /// # Errors
     /// [`ArtifactError`] if a table or plot cannot be made.
-    pub fn generate(study: &Study) -> Result<Self, ArtifactError> {
+    pub fn generate(study: &Study, measured: &Measured) -> Result<Self, ArtifactError> {
         let mut files = BTreeMap::new();
         for model in Model::ALL {
             files.insert(format!("fits/integrals/{}.csv", model.id()), tables::integrals(study, model)?);
@@ -100,20 +101,32 @@ impl Artifacts {
             cosine: &study.cosine,
             albedos: &study.albedo_curves,
         })?);
-        let of_pixels = figures::pixel(figures::Pixel {
+        figures.extend(figures::pixel(figures::Pixel {
             clip: &study.pixel.clip,
             weights: &study.pixel.weights,
             texels: &study.pixel.texels,
-        });
-        let of_stability = figures::stability(&study.stability);
-        let report = markdown::report(study, &figures, &of_pixels, &of_stability);
-        figures.extend(of_pixels);
-        figures.extend(of_stability);
+        }));
+        figures.extend(figures::stability(&study.stability));
         for (name, bytes) in figures::render(&figures)? {
             files.insert(format!("reports/plots/{name}"), bytes);
         }
-        files.insert("reports/report.md".to_owned(), report.into_bytes());
-        Ok(Artifacts { files })
+        let mut artifacts = Artifacts { files };
+        artifacts.report(study, &figures, measured);
+        Ok(artifacts)
+    }
+
+    /// Adds the report in both its forms, which lists the files that are there and itself.
+    fn report(&mut self, study: &Study, figures: &[Figure], measured: &Measured) {
+        const REPORTS: [&str; 2] = ["reports/report.html", "reports/report.md"];
+        let mut paths: Vec<String> = measured.names().map(|name| format!("{FOLDER}/{name}")).collect();
+        paths.extend(self.files.keys().cloned().chain(REPORTS.map(str::to_owned)));
+        paths.sort();
+        let paths: Vec<&str> = paths.iter().map(String::as_str).collect();
+        let report = markdown::report(study, figures, measured, &paths);
+        let page = html::page(&report, &html::Pictures { files: &self.files, measured });
+        let [html, markdown] = REPORTS;
+        self.insert(html, page.into_bytes());
+        self.insert(markdown, report.into_bytes());
     }
 
     /// Adds the README.md of `root`, if there is one, with the blocks it has markers for written anew.

@@ -2,6 +2,8 @@
 //! bells of the same cost.
 
 use super::number::{short, short_up};
+use super::plots::Plots;
+use super::source::{source, source_alone};
 use super::study::Study;
 use crate::bound::Extremes;
 use crate::fit::bell::{Cost, Shape};
@@ -11,19 +13,31 @@ use crate::kernel::model::Model;
 use std::fmt::Write;
 
 /// Every section of the part.
-pub(super) fn sections(study: &Study, text: &mut String) {
+pub(super) fn sections(study: &Study, plots: &Plots<'_>, text: &mut String) {
+    text.push_str("\n## The kernels and their frontier\n\n### Better bells for cosⁿ\n\n");
+    text.push_str(&cosine(study));
+    text.push_str(&source(&["fits/kernels-cosn.csv"]));
+    let _ = write!(text, "\n{COSINE}");
+    text.push_str(&plots.place(&["kernels", "kernels-over-n"]));
+    cubic_factors(study, text);
     exact(text);
     factors(study, text);
+    text.push_str(&plots.place(&["factors"]));
     shortest(study, text);
     exponential(study, text);
-    text.push_str("\n## Better bells for cosⁿ\n\n");
-    text.push_str(&kernels(study));
-    cubic_factors(study, text);
+    text.push_str(&plots.place(&["kernels-error"]));
+    text.push_str(DIRECTIONS);
 }
+
+const DIRECTIONS: &str = "\n### Drawing directions\n\n\
+    `kernel::sampling`: `sample(u1, u2)` and `pdf` for the six models over cosⁿ and the bells (1 - t/K)^K, the \
+    half vector's Jacobian included, 0 below the horizon. The own angle's distribution is inverted in closed \
+    form (cosⁿ; bells per solid angle) or by a few Newton steps on a concave equation; χ² tests hold the samples to \
+    the density, and planted wrong densities fail them.\n";
 
 fn exact(text: &mut String) {
     text.push_str(
-        "\n## Exact factors\n\n\
+        "\n### Exact factors\n\n\
          The factor of the bell (1 - n w/K)^K on its true support is a closed expression for every real n ≥ 0 \
          (`kernel::exact::cs_factor`, K = 2 to 64), with a relative error below 16 ε (ε = 2⁻²³ in f32, 2⁻⁵² in f64). Where the \
          hemisphere cuts the support, below n = K (lobes in θ) or K/(1 - √½) (lobes in θ/2), a \
@@ -38,11 +52,15 @@ fn exact(text: &mut String) {
         };
         let _ = writeln!(text, "| {} | {} | {} |", model.title(), cost(Support::Inside), cost(Support::Cut));
     }
+    text.push_str(&source(&["src/kernel/exact.rs"]));
 }
 
 fn span(Extremes { min, max }: &Extremes) -> String {
     format!("{} to {}", short(min.value.lo()), short(max.value.hi()))
 }
+
+/// What also makes a row of the factors.
+const FIT: &str = "bellfit fit --model ... --form ... --objective ...";
 
 fn is_the_papers(row: &FactorRow) -> bool {
     (row.range.from(), row.range.to()) == (16.0, 1024.0)
@@ -55,8 +73,8 @@ fn repeats(model: Model) -> bool {
 
 fn factors(study: &Study, text: &mut String) {
     text.push_str(
-        "\n## Factors of cs_16: more forms, and never a gain\n\n\
-         `fits/factors.csv`; over every real n of the range, on the lobe's true support. A form stands here where \
+        "\n### Factors of cs_16: more forms, and never a gain\n\n\
+         Over every real n of the range, on the lobe's true support. A form stands here where \
          its term more at least halves the largest residual. *One-sided*: 2π coef(n) Int(n) ≤ 1, proved, with the \
          least loss; it is the minimax factor over 1 + E, E its level. *Above the best*: how much its largest \
          |residual| (one-sided: its loss) may exceed what any factor of that form can do. Here n = 16..1024; the \
@@ -79,6 +97,7 @@ fn factors(study: &Study, text: &mut String) {
             short(row.excess)
         );
     }
+    text.push_str(&source_alone(&["fits/factors.csv"], FIT));
 }
 
 fn shortest(study: &Study, text: &mut String) {
@@ -94,12 +113,13 @@ fn shortest(study: &Study, text: &mut String) {
             let _ = writeln!(text, "| {} | {} | {} | {loss} |", row.model.id(), row.digits, row.factor);
         }
     }
+    text.push_str(&source_alone(&["fits/factors.csv"], FIT));
 }
 
 fn exponential(study: &Study, text: &mut String) {
     text.push_str(
-        "\n## Better bells for e⁻ᵗ\n\n\
-         `fits/kernels.csv`: p(t)^K, p = 1 - c₁ z + c₂ z² - c₃ z³, z = t/K, cut at its first zero; the error is \
+        "\n### Better bells for e⁻ᵗ\n\n\
+         p(t)^K, p = 1 - c₁ z + c₂ z² - c₃ z³, z = t/K, cut at its first zero; the error is \
          certified over all t ≥ 0. Degree 2 gains nothing as long as the bell is continuous: its best p tends to a \
          double zero, which is degree 1 at 2 K; only with a jump at the cut does it help.\n\n\
          | operations from t | shape | K | c₁, c₂, c₃ | largest error | at t | cut | continuous |\n\
@@ -123,10 +143,16 @@ fn exponential(study: &Study, text: &mut String) {
             if row.proof.continuous { "yes" } else { "no" }
         );
     }
+    text.push_str(&source(&["fits/kernels.csv"]));
 }
 
-/// The bells for cosⁿ as a table, for the report and the README.
+/// The bells for cosⁿ as a table and what it means: the README's block.
 pub(super) fn kernels(study: &Study) -> String {
+    format!("{}\n{COSINE}", cosine(study))
+}
+
+/// The bells for cosⁿ, a row each.
+fn cosine(study: &Study) -> String {
     let mut text = String::from(
         "| lobe | operations from 1 - cos θ | from cos θ | where nothing fuses | largest error against cosⁿ | \
          against cs_16's |\n|---|---|---|---|---|---|\n",
@@ -145,21 +171,20 @@ pub(super) fn kernels(study: &Study) -> String {
         let _ =
             writeln!(text, "| {name} | {from_t} | {from_cos} | {unfused} | {} | {gain} |", short_up(error));
     }
-    text.push_str(
-        "\nThe largest error over every angle in [0, π/2] and every real n ≥ 16, n → ∞ included, proved; at n = 16 \
-         cs_16 is cosⁿ itself. `fits/kernels-cosn.csv` has the bells' coefficients, (1 - y)(1 + α y + β y²) to the \
-         K-th power with y = n (1 - cos θ)/T, where T, α and β are polynomials in 1/n. Each bell is continuous at its cut, falls to it and is never \
-         negative, which is proved too. A fused multiply-add counts one, where nothing fuses two; what depends on n \
-         alone is computed once a material.\n",
-    );
     text
 }
 
+const COSINE: &str = "The largest error over every angle in [0, π/2] and every real n ≥ 16, n → ∞ included, proved; at n = 16 \
+         cs_16 is cosⁿ itself. `fits/kernels-cosn.csv` has the bells' coefficients, (1 - y)(1 + α y + β y²) to the \
+         K-th power with y = n (1 - cos θ)/T, where T, α and β are polynomials in 1/n. Each bell is continuous at its cut, falls to it and is never \
+         negative, which is proved too. A fused multiply-add counts one, where nothing fuses two; what depends on n \
+         alone is computed once a material.\n";
+
 fn cubic_factors(study: &Study, text: &mut String) {
     text.push_str(
-        "\n### Their factors, which never gain\n\n\
-         coef(n) = (p₀ n + p₁ + p₂/n + p₃/n²)/(divisor π) for every real n ≥ 16 (`fits/factors.csv`, \
-         `kernel::factor::cubic_factor`).\n\n| lobe | model | factor | residual |\n|---|---|---|---|\n",
+        "\n### Factors of the cubic bells, which never gain\n\n\
+         coef(n) = (p₀ n + p₁ + p₂/n + p₃/n²)/(divisor π) for every real n ≥ 16 \
+         (`kernel::factor::cubic_factor`).\n\n| lobe | model | factor | residual |\n|---|---|---|---|\n",
     );
     for row in study.cubic_factors.iter().filter(|row| !repeats(row.model)) {
         let _ = writeln!(
@@ -171,4 +196,5 @@ fn cubic_factors(study: &Study, text: &mut String) {
             span(&row.extremes)
         );
     }
+    text.push_str(&source(&["fits/factors.csv"]));
 }

@@ -1,17 +1,18 @@
-//! The report's part on energy at every angle, and on drawing directions.
+//! The report's part on energy at every angle.
 
 use super::number::short;
+use super::plots::Plots;
+use super::source::source;
 use super::study::Study;
 use crate::integral::albedo::{AlbedoCurve, Reflectance, SupremumEvidence};
 use std::fmt::Write;
 
-/// Both sections.
-pub(super) fn sections(study: &Study, text: &mut String) {
+/// The section.
+pub(super) fn section(study: &Study, plots: &Plots<'_>, text: &mut String) {
     text.push_str(
         "\n## Energy at every angle\n\n\
          Directional albedo a(θ): what the eye at θ sees of a surface lit by 1 from the whole hemisphere \
-         (`fits/albedo.csv` with the error of each value, `fits/albedo-suprema.csv`; angles in degrees from the normal, \
-         `use` is `printed` or, with V-cavities, `microfacet`). For the unmodified RDFs the \
+         (in the files angles are in degrees from the normal, and `use` is `printed` or, with V-cavities, `microfacet`). For the unmodified RDFs the \
          factor times the lobe is f cos θ, for the modified ones it is f; an NDF stands once as printed, for the \
          share of its normalisation that this direction sees, and once as the D of a microfacet model with F = 1 \
          and V-cavities. *Bounded*: a theorem allows no more at any angle, so the value along the normal (or at \
@@ -37,6 +38,7 @@ pub(super) fn sections(study: &Study, text: &mut String) {
         }
         text.push('\n');
     }
+    text.push_str(&source(&["fits/albedo-suprema.csv", "fits/albedo.csv"]));
     let bounded = study.albedos.iter().filter(|c| c.supremum.evidence == SupremumEvidence::Bounded).count();
     let error = study.albedos.iter().flat_map(|c| &c.points).map(|p| p.value.error).fold(0.0, f64::max);
     let all = study.albedos.len();
@@ -49,13 +51,7 @@ pub(super) fn sections(study: &Study, text: &mut String) {
          reciprocal, so theirs is the energy seen from θ, not that reflected of a beam from θ.",
         short(error)
     );
-    text.push_str(
-        "\n## Drawing directions\n\n\
-         `kernel::sampling`: `sample(u1, u2)` and `pdf` for the six models over cosⁿ and the bells (1 - t/K)^K, the \
-         half vector's Jacobian included, 0 below the horizon. The own angle's distribution is inverted in closed \
-         form (cosⁿ; bells per solid angle) or by a few Newton steps on a concave equation; χ² tests hold the samples to \
-         the density, and planted wrong densities fail them.\n",
-    );
+    text.push_str(&plots.place(&["albedo-16", "albedo-64", "albedo-difference"]));
 }
 
 fn name(curve: &AlbedoCurve) -> String {

@@ -1,6 +1,7 @@
 //! The report's part on texture filters.
 
 use super::number::short;
+use super::source::source_alone;
 use crate::kernel::pixel::{PaperReading, PixelWeight};
 use crate::scene::{Compared, Comparison, cut_deviation};
 use std::fmt::Write;
@@ -9,7 +10,7 @@ use std::fmt::Write;
 pub(super) fn section(comparisons: &[Comparison], text: &mut String) {
     text.push_str(
         "\n## Texture filters, seen\n\n\
-         A textured plane by every filter against a supersampled reference (`fits/filter.csv`; `bellfit render` shows any \
+         A textured plane by every filter against a supersampled reference (`bellfit render` shows any \
          scene and image). The references: *Gaussian*, the weight exp(-2 r²), σ = ½ pixel, to where it is 4e-6, and *area*, the mean over the \
          pixel's square; both of the same samples, the texture bilinear between its texels. RMSE in linear light, peak 1; \
          *ssim2* is SSIMULACRA 2 (100: equal). *Gain* is how much of the reference's contrast a picture keeps, above 1 \
@@ -27,9 +28,7 @@ pub(super) fn section(comparisons: &[Comparison], text: &mut String) {
     padding(comparisons, text);
     skew(comparisons, text);
     bells(comparisons, text);
-    text.push_str(
-        "\nTime a lookup is measured on one machine by `bellfit render --measure`: [measured/filter.md](measured/filter.md).\n",
-    );
+    text.push_str("\nWhat a lookup costs in time stands under [speed](#speed-against-accuracy).\n");
 }
 
 /// How small the references' error is against what is shown.
@@ -52,14 +51,17 @@ fn certainty(comparisons: &[Comparison], text: &mut String) {
 fn table(comparison: &Comparison, text: &mut String) {
     let Comparison { scene, references, rows, .. } = comparison;
     let name = &scene.name;
+    let command = format!("bellfit render --scene {name}");
     let _ = write!(
         text,
-        "\n### Scene {name}\n\n![{name}: the reference and seven filters](images/{name}.png)\n\n\
-         *Differences from the reference, four times as strong, grey where there is none, black and white from 1/8 on:*\n\n\
-         ![{name}: differences of seven filters](images/{name}-difference.png)\n\n\
+        "\n### Scene {name}\n\n![{name}: the reference and seven filters](images/{name}.png)\n{}\n\
+         Differences from the reference, four times as strong, grey where there is none, black and white from 1/8 on:\n\n\
+         ![{name}: differences of seven filters](images/{name}-difference.png)\n{}\n\
          Sampling error of the references, estimated from half sets: {} (Gaussian) and {} (area).\n\n\
          | technique | RMSE, Gaussian | PSNR, dB | ssim2 | gain | alien | RMSE, area | PSNR, dB | ssim2 | texels, mean | most |\n\
          |---|---|---|---|---|---|---|---|---|---|---|\n",
+        source_alone(&[&format!("reports/images/{name}.png"), "fits/filter.csv"], &command),
+        source_alone(&[&format!("reports/images/{name}-difference.png"), "fits/filter.csv"], &command),
         short2(references.gaussian.sampling_error),
         short2(references.area.sampling_error)
     );
@@ -79,6 +81,7 @@ fn table(comparison: &Comparison, text: &mut String) {
             area.perceptual
         );
     }
+    text.push_str(&source_alone(&["fits/filter.csv"], &command));
 }
 
 /// Two significant digits.

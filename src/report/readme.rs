@@ -2,7 +2,7 @@
 
 use super::artifacts::ArtifactError;
 use super::better;
-use super::markdown;
+use super::cut;
 use super::study::Study;
 use super::summary::{Group, summaries_of};
 use crate::verdict::Verdict;
@@ -68,7 +68,7 @@ pub(super) fn cell(text: &str) -> String {
 pub(super) fn splice_all(text: &str, study: &Study) -> Result<String, ArtifactError> {
     BLOCKS.into_iter().try_fold(text.to_owned(), |text, block| {
         let content = match block {
-            "cut" => markdown::cut(study),
+            "cut" => cut::cut(study),
             "kernels" => better::kernels(study),
             "fails" => fails(study),
             _ => table(study),

@@ -1,19 +1,20 @@
 //! The report's part on rounding at the extremes.
 
-use super::figures::Figure;
 use super::number::short;
+use super::plots::Plots;
+use super::source::source;
 use crate::bound::{Format, Handed};
 use crate::kernel::stand_in::StandIn;
 use crate::stability::{Clip, Factor, Limit, QForm, Stability, limits};
 use std::fmt::Write;
 
 /// The section, its figures at the end.
-pub(super) fn section(study: &Stability, figures: &[Figure], text: &mut String) {
+pub(super) fn section(study: &Stability, plots: &Plots<'_>, text: &mut String) {
     text.push_str(
         "\n## Rounding at the extremes\n\n\
          n from 1 to 1e12, θ from 1e-8 to π/2, each kernel in `f16` (every operation rounded), `f16-stored` (argument and \
          result; binary32 between, and for what depends on n alone), `f32` and `f64`, against a reference of about \
-         100 bits (`fits/stability.csv`, `src/stability`). What depends on n alone is computed in `f64` and rounded \
+         100 bits. What depends on n alone is computed in `f64` and rounded \
          to the format. The angle is handed over as cos θ or as 1 - cos θ, rounded once, or as the difference \
          |a - b|²/2 of rounded unit vectors. Everything here is *sampled*: 1, 2 and 5 times the powers of ten for n, \
          some 400 angles each, so that a little more may happen between; and no fused multiply-add.\n",
@@ -24,9 +25,13 @@ pub(super) fn section(study: &Stability, figures: &[Figure], text: &mut String) 
     factors(study, text);
     footprints(study, text);
     clips(study, text);
-    for Figure { stem, alt, .. } in figures {
-        let _ = write!(text, "\n![{alt}](plots/{stem}.png)\n\n*{alt}* ([SVG](plots/{stem}.svg))\n");
-    }
+    text.push_str(&plots.place(&[
+        "stability-cs-16",
+        "stability-cubic-4",
+        "stability-cubic-8",
+        "stability-pow",
+        "stability-footprint",
+    ]));
 }
 
 fn named(handed: Handed) -> &'static str {
@@ -138,11 +143,12 @@ fn table(limits: &[Limit], text: &mut String) {
             cells.collect::<Vec<_>>().join(" | ")
         );
     }
+    text.push_str(&source(&["fits/stability.csv"]));
 }
 
 fn factors(study: &Stability, text: &mut String) {
     text.push_str(
-        "\nThe normalising factors lose at most a few units in the last place, at any n (`fits/stability-factors.csv`, n ≥ 16, relative, over the \
+        "\nThe normalising factors lose at most a few units in the last place, at any n (n ≥ 16, relative, over the \
          models; both `f16` end where n does, at 65504):\n\n| factor | f16 | f16-stored | f32 | f64 |\n|---|---|---|---|---|\n",
     );
     for factor in Factor::ALL {
@@ -156,6 +162,7 @@ fn factors(study: &Stability, text: &mut String) {
         });
         let _ = writeln!(text, "| {} | {} |", factor.id(), cells.join(" | "));
     }
+    text.push_str(&source(&["fits/stability-factors.csv"]));
 }
 
 /// The aspects and sizes shown of the footprints.
@@ -165,7 +172,7 @@ const SCALES: [f64; 5] = [1e-20, 1e-10, 1.0, 1e10, 1e20];
 fn footprints(study: &Stability, text: &mut String) {
     let _ = write!(
         text,
-        "\nThe footprint's Q ≤ 1 (`fits/stability-footprint.csv`): absolute error, for `inverse` relative; the worst \
+        "\nThe footprint's Q ≤ 1: absolute error, for `inverse` relative; the worst \
          over major semi-axes of 1e-20 to 1e20 texels (*any*) and that of 1 texel. NaN or inf: beyond the range that the \
          form's page states.\n\n| form | format | size | {} |\n|---|---|---|{}\n",
         ASPECTS.map(|aspect| format!("aspect {}", exponent(aspect))).join(" | "),
@@ -193,11 +200,12 @@ fn footprints(study: &Stability, text: &mut String) {
             }
         }
     }
+    text.push_str(&source(&["fits/stability-footprint.csv"]));
 }
 
 fn clips(study: &Stability, text: &mut String) {
     text.push_str(
-        "\nThe clip volumes for d from 1e-8 to ½ pixel (`fits/stability-clip.csv`), absolute:\n\n\
+        "\nThe clip volumes for d from 1e-8 to ½ pixel, absolute:\n\n\
          | volume | f16 | f16-stored | f32 | f64 |\n|---|---|---|---|---|\n",
     );
     for clip in Clip::ALL {
@@ -208,4 +216,5 @@ fn clips(study: &Stability, text: &mut String) {
         });
         let _ = writeln!(text, "| {} | {} |", clip.id(), cells.join(" | "));
     }
+    text.push_str(&source(&["fits/stability-clip.csv"]));
 }

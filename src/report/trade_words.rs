@@ -22,13 +22,6 @@ const COMMON: [Subject; 10] = [
 /// Of a subject and the empty loop: nearer than this, its own time is not told.
 const AT_FLOOR: f64 = 1.1;
 
-/// The report's part: it states no time, as nothing in it depends on one.
-pub(super) const SECTION: &str = "\n## Speed against accuracy\n\n\
-    `bellfit trade` measures every kernel above, the platform's powers and tables of several sizes on the machine at hand: in \
-    `f32` and `f64`, one by one and over slices, in cache and in memory. A committed record, with what lies on the frontier \
-    and by what common choices are beaten: [measured/trade.md](measured/trade.md).\n\n\
-    ![Largest error against time an element, by format and place](measured/trade.png)\n";
-
 /// The two formats of a record.
 pub(super) const FORMATS: [Format; 2] = [Format::Single, Format::Double];
 

@@ -14,7 +14,7 @@ pub(super) const MISSING: Rgb = Rgb(0xBD, 0xBD, 0xBD);
 
 /// Okabe and Ito's colours, told apart under every common colour blindness; without their yellow,
 /// which is lost on white, and with a grey.
-const SERIES: [Rgb; 8] = [
+pub(super) const SERIES: [Rgb; 8] = [
     Rgb(0x00, 0x72, 0xB2),
     Rgb(0xD5, 0x5E, 0x00),
     Rgb(0x00, 0x9E, 0x73),
@@ -26,7 +26,7 @@ const SERIES: [Rgb; 8] = [
 ];
 
 /// Fill and border, pale enough to lie under curves.
-const BANDS: [(Rgb, Rgb); 4] = [
+pub(super) const BANDS: [(Rgb, Rgb); 4] = [
     (Rgb(0xFB, 0xF1, 0xCC), Rgb(0xC9, 0xA9, 0x3A)),
     (Rgb(0xE3, 0xEE, 0xF6), Rgb(0x86, 0xAE, 0xCB)),
     (Rgb(0xEC, 0xEC, 0xEC), Rgb(0xA0, 0xA0, 0xA0)),

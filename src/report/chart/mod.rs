@@ -24,6 +24,7 @@
 mod axis;
 mod clip;
 mod colour;
+mod dark;
 mod error;
 mod font;
 mod frame;
@@ -42,6 +43,8 @@ mod series;
 mod stroke;
 mod svg;
 mod ticks;
+
+pub(super) use dark::dark_colours;
 
 pub use axis::{Axis, Scale};
 pub use error::ChartError;

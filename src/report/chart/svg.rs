@@ -4,6 +4,8 @@ use super::ChartError;
 use super::font::style;
 use super::png::encode;
 use super::scene::{Anchor, Point, Raster, Scene, Shape, Text, WIDTH};
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use plotters::backend::{DrawingBackend, SVGBackend};
 use plotters::style::text_anchor::HPos;
 use plotters::style::{RGBAColor, ShapeStyle};
@@ -90,7 +92,7 @@ fn image(svg: &mut String, raster: &Raster) -> Result<(), ChartError> {
          style=\"image-rendering:pixelated\" href=\"data:image/png;base64,{}\"/>",
         right - x,
         bottom - y,
-        base64(&bytes)
+        STANDARD.encode(&bytes)
     );
     Ok(())
 }
@@ -122,32 +124,4 @@ fn brief(body: &str) -> String {
 
 fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
-}
-
-fn base64(bytes: &[u8]) -> String {
-    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
-    for three in bytes.chunks(3) {
-        let at = |i: usize| u32::from(three.get(i).copied().unwrap_or(0));
-        let bits = at(0) << 16 | at(1) << 8 | at(2);
-        for i in 0..4 {
-            let digit = DIGITS[(bits >> (18 - 6 * i)) as usize & 63];
-            text.push(if i <= three.len() { char::from(digit) } else { '=' });
-        }
-    }
-    text
-}
-
-#[cfg(test)]
-mod tests {
-    use super::base64;
-
-    #[test]
-    fn base64_is_that_of_rfc_4648() {
-        for (plain, coded) in
-            [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foobar", "Zm9vYmFy")]
-        {
-            assert_eq!(base64(plain.as_bytes()), coded);
-        }
-    }
 }

@@ -26,6 +26,7 @@ mod integral;
 mod kernel;
 mod lobe;
 mod pixel;
+mod place;
 mod render;
 mod residual;
 mod sample;
@@ -36,6 +37,8 @@ pub use error::FigureError;
 pub use pixel::{Pixel, pixel};
 pub use render::render;
 pub use stability::stability;
+
+pub(in crate::report) use place::{Shown, data};
 
 use super::chart::Chart;
 use crate::fit::bell::{CosineBell, ExponentialBell};
@@ -171,6 +174,7 @@ mod tests {
         let stems: BTreeSet<_> = drawn.iter().map(|f| f.stem).collect();
         assert_eq!((drawn.len(), stems.len()), (27, 27));
         for figure in &drawn {
+            assert!(!data(figure.stem).is_empty(), "{} has no file with its numbers", figure.stem);
             assert!(figure.alt.ends_with('.') && figure.alt.len() > 40, "{}", figure.stem);
         }
         let files = render(&drawn).unwrap();

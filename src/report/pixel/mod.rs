@@ -5,7 +5,7 @@ mod footprint;
 mod section;
 mod tables;
 
-pub(super) use constants::clip_constants;
+pub(super) use constants::{ADOPTED, adopted, clip_constants};
 pub(super) use section::section;
 pub(super) use tables::{clip_csv, footprint_csv, texels_csv, weights_csv};
 

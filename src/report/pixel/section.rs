@@ -1,4 +1,4 @@
-//! The pixel paper's section of the report.
+//! The pixel paper's tables in the report.
 
 use super::constants::{ADOPTED, adopted};
 use super::footprint::footprint_rows;
@@ -6,28 +6,21 @@ use super::{MOST_POINTS, PixelStudy};
 use crate::fit::clip::{ClipObjective, ClipPoints, ClipRow, ClipTarget, clip_printed};
 use crate::fit::weight_name;
 use crate::kernel::pixel::PixelWeight;
-use crate::report::figures::Figure;
 use crate::report::number::{short, short_up};
+use crate::report::plots::Plots;
+use crate::report::source::source;
 use std::fmt::Write;
 
-/// All of it, each figure beside its study.
-pub(in crate::report) fn section(study: &PixelStudy, figures: &[Figure]) -> String {
-    let mut text = String::from("\n## The pixel paper\n");
-    clip(study, &mut text);
-    embed(figures, &["clip-volume"], &mut text);
-    axes(&mut text);
-    embed(figures, &["pixel-axes", "pixel-ellipses", "pixel-tilts"], &mut text);
-    weights(study, &mut text);
-    embed(figures, &["pixel-bells"], &mut text);
-    texels(study, &mut text);
-    embed(figures, &["pixel-weights"], &mut text);
-    text
-}
-
-fn embed(figures: &[Figure], stems: &[&str], text: &mut String) {
-    for Figure { stem, alt, .. } in figures.iter().filter(|figure| stems.contains(&figure.stem)) {
-        let _ = write!(text, "\n![{alt}](plots/{stem}.png)\n\n*{alt}* ([SVG](plots/{stem}.svg))\n");
-    }
+/// A heading a study, with its figures or where they stand.
+pub(in crate::report) fn section(study: &PixelStudy, plots: &Plots<'_>, text: &mut String) {
+    clip(study, text);
+    text.push_str(&plots.place(&["clip-volume"]));
+    axes(text);
+    text.push_str(&plots.place(&["pixel-axes", "pixel-ellipses", "pixel-tilts"]));
+    weights(study, text);
+    text.push_str(&plots.place(&["pixel-bells"]));
+    texels(study, text);
+    text.push_str(&plots.place(&["pixel-weights"]));
 }
 
 /// `σ = 1/6`, or nothing.
@@ -66,8 +59,8 @@ fn clip(study: &PixelStudy, text: &mut String) {
         text,
         "\n### The volume beyond a line\n\n\
          P(d) = 0.5 - d (2.151 - 2.358 d) is to be the volume of the pixel beyond a line at distance d from its centre, in \
-         units of the pixel's base diameter. P falls to {} at d = {} and rises again, to {} at the base. Every fit and \
-         error: `fits/clip.csv`. Errors are certified over every d in [0, ½].\n\n",
+         units of the pixel's base diameter. P falls to {} at d = {} and rises again, to {} at the base. \
+         Errors are certified over every d in [0, ½].\n\n",
         short(at_lowest),
         short(lowest),
         short(0.5 + 0.5 * p1 + 0.25 * p2)
@@ -94,6 +87,7 @@ fn clip(study: &PixelStudy, text: &mut String) {
             if fitted.digits { "yes" } else { "no" }
         );
     }
+    text.push_str(&source(&["fits/clip.csv"]));
     for (objective, what) in
         [(ClipObjective::NearestSup, "largest error"), (ClipObjective::NearestSquares, "mean square")]
     {
@@ -151,6 +145,7 @@ fn recipes(study: &PixelStudy, text: &mut String) {
             row.both().map_or("none".to_owned(), range)
         );
     }
+    text.push_str(&source(&["src/report/pixel", "fits/clip.csv"]));
 }
 
 fn better(study: &PixelStudy, text: &mut String) {
@@ -188,6 +183,7 @@ fn better(study: &PixelStudy, text: &mut String) {
             if row.monotone { "yes" } else { "no" }
         );
     }
+    text.push_str(&source(&["fits/clip.csv", "src/kernel/constants.rs"]));
 }
 
 fn axes(text: &mut String) {
@@ -203,7 +199,7 @@ fn axes(text: &mut String) {
          shorter one, and by up to 90° else;\n\
          - ½ arctan(B/(A - C)) is the true tilt where that lies within ±45°, and 90° off elsewhere: for half of all \
          directions.\n\n\
-         Half lengths in units of the first vector, which lies along the u axis (`fits/footprint.csv`):\n\n\
+         Half lengths in units of the first vector, which lies along the u axis:\n\n\
          | φ | second by first | major, paper | true | minor, paper | true | area, paper by true | tilt error of the vector | of the conic |\n\
          |---|---|---|---|---|---|---|---|---|\n",
     );
@@ -226,12 +222,13 @@ fn axes(text: &mut String) {
             angle(row.conic_error)
         );
     }
+    text.push_str(&source(&["fits/footprint.csv"]));
 }
 
 fn weights(study: &PixelStudy, text: &mut String) {
     text.push_str(
         "\n### The weight of a texel\n\n\
-         Against the Gaussian of σ = L/6, e^(-9Q/2) with Q = (2 u₁/L)² + (2 v₁/d)² (`fits/pixel-weights.csv`). Errors are certified, \
+         Against the Gaussian of σ = L/6, e^(-9Q/2) with Q = (2 u₁/L)² + (2 v₁/d)². Errors are certified, \
          over every Q ≥ 0 and over the ellipse Q ≤ 1; on its rim the Gaussian is e^-4.5 = 0.0111. `sum` is one bell of Q, \
          `product` one of u₁ times one of v₁; `bell-K` is Lyon's (1 - t/K)^K, `cubic-K` the cubic one, t = 9Q/2. Volume by the \
          Gaussian's; operations from Q, or from both squares.\n\n\
@@ -250,6 +247,7 @@ fn weights(study: &PixelStudy, text: &mut String) {
             row.operations
         );
     }
+    text.push_str(&source(&["fits/pixel-weights.csv"]));
     let of = |name: &str| study.weights.iter().find(|row| row.name == name);
     let readings = ["r1-sum", "r2-sum", "r3-sum", "r4-sum", "cubic-4"].map(of);
     if let [Some(r1), Some(r2), Some(r3), Some(r4), Some(cubic)] = readings {
@@ -275,11 +273,12 @@ fn texels(study: &PixelStudy, text: &mut String) {
     let _ = write!(
         text,
         "\n### The texels of the figure\n\n\
-         The ellipse of diagonals 6 and 3, tilted by 30°, its centre on a texel's, holds the centres of {} texels \
-         (`fits/weights.csv`). The middle one has this share of the whole weight:\n\n| weight | share |\n|---|---|\n",
+         The ellipse of diagonals 6 and 3, tilted by 30°, its centre on a texel's, holds the centres of {} texels. \
+         The middle one has this share of the whole weight:\n\n| weight | share |\n|---|---|\n",
         inside.len()
     );
     for texel in study.texels.iter().filter(|texel| (texel.u, texel.v) == (0, 0)) {
         let _ = writeln!(text, "| {} | {:.4} |", weight_name(texel.weight), texel.share);
     }
+    text.push_str(&source(&["fits/weights.csv"]));
 }
