@@ -121,7 +121,7 @@ fn what_stands_twice_is_told() {
 
 #[test]
 fn what_does_not_parse_is_told() {
-    assert_exchange("version = 1", "version = ¦2", &["version 2", "reads 1"]);
+    assert_exchange("version = 1", "version = ¦2", &["version 2", "reads version 1"]);
     assert_exchange("version = 1", "version = ¦\"1\"", &["expected u32"]);
     for bad in ["4.7e", "about 4.7e-4", "", "4,7e-4", "0x10", "4.7·10^-4", "NaN"] {
         assert_exchange("\"4.7e-4\"", &format!("¦\"{bad}\""), &["printed", bad, "not a decimal"]);

@@ -132,6 +132,34 @@ fn claims_files_that_cannot_be_read_are_told_with_their_place() {
     refused(&["verify", &file("empty.toml", b"")], "line 1");
     let unknown = b"version = 1\n\n[[claim]]\nid = \"a\"\ncolour = 3\n";
     refused(&["verify", &file("unknown.toml", unknown)], "line 5, column 1: unknown field `colour`");
+    refused(
+        &["verify", &file("version.toml", b"version = 2\n")],
+        "line 1, column 11: version 2: this program reads version 1",
+    );
+    let endless = std::fs::File::create(out.join("long.toml")).expect("a file");
+    endless.set_len(1 << 23).expect("a long file");
+    refused(&["verify", out.join("long.toml").to_str().expect("UTF-8")], "8388608 bytes");
+    refused(&["verify", "--example", "--schema"], "--schema");
+}
+
+/// A mark at the beginning, line ends of two characters and tabs are no mistakes.
+#[test]
+fn claims_files_are_read_as_editors_write_them() {
+    let out = folder("editors");
+    let example = stdout(&bellfit(&["verify", "--example"]));
+    let plain = out.join("plain.toml");
+    std::fs::write(&plain, &example).expect("writable");
+    let expected = bellfit(&["verify", plain.to_str().expect("UTF-8")]);
+    assert_eq!(expected.status.code(), Some(0));
+    for (name, text) in [
+        ("mark.toml", format!("\u{feff}{example}")),
+        ("lines.toml", example.replace('\n', "\r\n")),
+        ("tabs.toml", example.replace(" = ", "\t=\t")),
+    ] {
+        std::fs::write(out.join(name), text).expect("writable");
+        let found = bellfit(&["verify", out.join(name).to_str().expect("UTF-8")]);
+        assert_eq!(stdout(&found), stdout(&expected), "{name}");
+    }
 }
 
 #[test]
@@ -144,19 +172,21 @@ fn the_example_claims_hold_and_a_false_one_is_refuted() {
     let path = path.to_str().expect("UTF-8");
     let verdicts = bellfit(&["verify", path]);
     assert_eq!(verdicts.status.code(), Some(0), "{}", stdout(&verdicts));
-    assert_eq!(stdout(&verdicts).matches(": proved.").count(), 5);
+    assert_eq!(stdout(&verdicts).matches(": proved.").count(), 7);
     // What rests on quadrature holds too, and is not called proved.
     assert_eq!(stdout(&verdicts).matches(": reproduced.").count(), 1);
 
     let json: serde_json::Value =
         serde_json::from_slice(&bellfit(&["verify", path, "--json"]).stdout).expect("JSON");
-    assert_eq!(json.as_array().map(Vec::len), Some(6));
-    assert_eq!(json[0]["verdict"], "proved");
+    assert_eq!(json["version"], 1);
+    assert_eq!(json["judgements"].as_array().map(Vec::len), Some(8));
+    assert_eq!(json["judgements"][0]["verdict"], "proved");
 
     // 1.07 n/2π on the whole support is 1.07 · 16/17 - 1 = 7.0588e-3 too much at every n.
-    let text =
-        stdout(&example).replace("(1.0625*n + 0.9445)", "1.07*n").replace("phong-modified\" ", "phong\" ");
-    let planted = text.replace("phong-modified\"\nlimit", "phong\"\nlimit");
+    let planted = stdout(&example)
+        .replace("(1.0625*n + 0.9445)", "1.07*n")
+        .replace("\"phong-modified\"\nlobe", "\"phong\"\nlobe")
+        .replace("\"phong-modified\"\nlimit", "\"phong\"\nlimit");
     std::fs::write(path, planted).expect("writable");
     let verdicts = bellfit(&["verify", path]);
     assert_eq!(verdicts.status.code(), Some(1), "{}", stdout(&verdicts));

@@ -141,11 +141,13 @@ impl core::str::FromStr for Formula {
     type Err = FormulaError;
 
     /// Numbers, `n`, `pi` (or π), + - * / ^ and parentheses; powers are whole numbers, or
-    /// `2^(k*n/2)` with a whole k. Degrees up to 32, 256 terms, coefficients of 4096 bits, 1000 characters.
+    /// `2^(k*n/2)` with a whole k. Degrees up to 32, 400 terms, coefficients of 4096 bits, 1000 characters.
     fn from_str(text: &str) -> Result<Self, FormulaError> {
         let mut reader = Reader { text, characters: text.chars().collect(), at: 0, depth: 0 };
-        if reader.characters.len() > LONGEST_TEXT {
-            return Err(reader.error("a formula of more than 1000 characters"));
+        let length = reader.characters.len();
+        if length > LONGEST_TEXT {
+            let (text, reason) = (text.chars().take(40).collect::<String>() + "…", "1000 characters at most");
+            return Err(FormulaError { text, position: LONGEST_TEXT + 1, reason: reason.to_owned() });
         }
         let formula = reader.sum()?;
         reader.skip();
@@ -161,21 +163,11 @@ const DEEPEST: usize = 64;
 /// The highest whole power read, and the highest degree in any of n, 2^(-n/2) and π, so that no text
 /// can exhaust memory: powers of powers multiply.
 const HIGHEST: i64 = 32;
-/// The longest coefficient, in bits, for the same reason.
+/// The longest coefficient read, in bits, for the same reason.
 const LONGEST: usize = 4096;
-/// The most terms above or below the bar: sums of quotients and products multiply them.
-const MOST: usize = 256;
-/// The longest text, in characters: far beyond what a paper prints.
+/// The longest formula, in characters, and the most terms of a polynomial: what the work grows with.
 const LONGEST_TEXT: usize = 1000;
-
-/// The highest degree in any variable, and the longest coefficient in bits.
-fn sizes(formula: &Formula) -> (u32, usize) {
-    let parts = [&formula.numerator, &formula.denominator];
-    let degree = parts.iter().flat_map(|p| (0..3).map(|i| p.degree(i))).max().unwrap_or(0);
-    let bits = |c: &RBig| c.numerator().bit_len() + c.denominator().bit_len();
-    let length = parts.iter().flat_map(|p| p.terms().map(|(_, c)| bits(c))).max().unwrap_or(0);
-    (degree, length)
-}
+const MOST_TERMS: usize = 400;
 
 struct Reader<'a> {
     text: &'a str,
@@ -202,16 +194,28 @@ impl Reader<'_> {
         found
     }
 
+    /// A step's result, unless it is too large to go on with.
+    fn bounded(&self, formula: Formula) -> Result<Formula, FormulaError> {
+        let parts = [&formula.numerator, &formula.denominator];
+        let bits = |c: &RBig| c.numerator().bit_len() + c.denominator().bit_len();
+        let fits = |p: &&Polynomial| {
+            (0..3).all(|k| i64::from(p.degree(k)) <= HIGHEST)
+                && p.terms().count() <= MOST_TERMS
+                && p.terms().all(|(_, c)| bits(c) <= LONGEST)
+        };
+        if parts.iter().all(fits) { Ok(formula) } else { Err(self.error("too large to write out")) }
+    }
+
     fn sum(&mut self) -> Result<Formula, FormulaError> {
         let negative = Formula::constant(RBig::int(-1));
         let mut total = if self.take('-') { self.product()?.times(&negative) } else { self.product()? };
         loop {
             if self.take('+') {
-                let rhs = self.product()?;
-                total = self.small(total.plus(&rhs))?;
+                let term = self.product()?;
+                total = self.bounded(total.plus(&term))?;
             } else if self.take('-') {
-                let rhs = self.product()?.times(&negative);
-                total = self.small(total.plus(&rhs))?;
+                let term = self.product()?.times(&negative);
+                total = self.bounded(total.plus(&term))?;
             } else {
                 return Ok(total);
             }
@@ -222,14 +226,14 @@ impl Reader<'_> {
         let mut total = self.power()?;
         loop {
             if self.take('*') {
-                let rhs = self.power()?;
-                total = self.small(total.times(&rhs))?;
+                let factor = self.power()?;
+                total = self.bounded(total.times(&factor))?;
             } else if self.take('/') {
                 let divisor = self.power()?;
                 if divisor.numerator.is_zero() {
                     return Err(self.error("division by 0"));
                 }
-                total = self.small(total.times(&divisor.inverse()))?;
+                total = self.bounded(total.times(&divisor.inverse()))?;
             } else {
                 return Ok(total);
             }
@@ -248,11 +252,15 @@ impl Reader<'_> {
             if base.denominator.is_zero() {
                 return Err(self.error("division by 0"));
             }
-            let (degree, length) = sizes(&base);
+            let parts = [&base.numerator, &base.denominator];
+            let degree = parts.iter().flat_map(|p| (0..3).map(|i| p.degree(i))).max().unwrap_or(0);
+            let bits = |c: &RBig| c.numerator().bit_len() + c.denominator().bit_len();
+            let length = parts.iter().flat_map(|p| p.terms().map(|(_, c)| bits(c))).max().unwrap_or(0);
             if k.abs() * i64::from(degree) > HIGHEST || k.unsigned_abs() as usize * length > LONGEST {
                 return Err(self.error("a power too large to write out"));
             }
-            return (0..k.abs()).try_fold(Formula::constant(RBig::int(1)), |p, _| self.small(p.times(&base)));
+            let one = Formula::constant(RBig::int(1));
+            return (0..k.abs()).try_fold(one, |p, _| self.bounded(p.times(&base)));
         }
         if base.as_constant() != Some(RBig::int(2)) {
             return Err(self.error("only 2 can be raised to a power with n in it"));
@@ -273,16 +281,6 @@ impl Reader<'_> {
         let h = Formula::whole(Polynomial::h());
         let h = if k < 0 { h.inverse() } else { h };
         Ok((0..k.abs()).fold(Formula::constant(RBig::int(1)), |p, _| p.times(&h)))
-    }
-
-    /// A result that can be gone on with.
-    fn small(&self, formula: Formula) -> Result<Formula, FormulaError> {
-        let (degree, length) = sizes(&formula);
-        let terms = formula.numerator.terms().count().max(formula.denominator.terms().count());
-        if i64::from(degree) > HIGHEST || length > LONGEST || terms > MOST {
-            return Err(self.error("a formula too large to write out"));
-        }
-        Ok(formula)
     }
 
     fn whole(&self, value: &RBig, reason: &str) -> Result<i64, FormulaError> {
@@ -372,7 +370,6 @@ mod tests {
         ] {
             assert!(tower.parse::<Formula>().is_err(), "{tower}");
         }
-        // What no power sign makes grows as well.
         let sum: Vec<String> = (2..90).map(|k| format!("1/(n + {k})")).collect();
         for long in [
             vec!["(n + π + 2^(-n/2))"; 40].join("*"),
@@ -382,5 +379,11 @@ mod tests {
         ] {
             assert!(long.parse::<Formula>().is_err(), "{long}");
         }
+        // Nor do products and sums of quotients grow without end.
+        for long in ["(n + 1)*".repeat(60) + "1", "1/(n + 1) + ".repeat(60) + "1", "1 + ".repeat(400) + "1"] {
+            let error = long.parse::<Formula>().unwrap_err();
+            assert!(error.reason.contains("too large") || error.reason.contains("1000"), "{error}");
+        }
+        assert!(("n + ".repeat(100) + "1").parse::<Formula>().is_ok());
     }
 }

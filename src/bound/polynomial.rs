@@ -120,14 +120,17 @@ impl Polynomial {
 
     /// self · rhs.
     pub fn times(&self, rhs: &Self) -> Self {
-        let mut product = Polynomial { terms: BTreeMap::new() };
+        let mut terms: BTreeMap<Exponents, RBig> = BTreeMap::new();
         for (a, x) in &self.terms {
             for (b, y) in &rhs.terms {
                 let e = [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
-                product = product.plus(&Self::monomial(e, x.clone() * y.clone()));
+                let sum = terms.remove(&e).unwrap_or_else(|| RBig::int(0)) + x.clone() * y.clone();
+                if !sum.is_zero() {
+                    terms.insert(e, sum);
+                }
             }
         }
-        product
+        Polynomial { terms }
     }
 
     /// Evaluates the coefficients once, for repeated use over one arithmetic.

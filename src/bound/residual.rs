@@ -146,6 +146,16 @@ impl<C> Compiled<C> {
     }
 }
 
+impl Compiled<RBig> {
+    /// What the quotient is divided by at m.
+    fn denominator_at(&self, m: &RBig, h: &RBig) -> RBig {
+        let terms = self.denominator.iter();
+        terms.fold(RBig::int(0), |total, (c, e)| {
+            total + c.clone() * m.power(self.denominator_degree - e[0]) * h.power(e[1])
+        })
+    }
+}
+
 impl Compiled<Interval> {
     fn in_intervals(factor: &Formula) -> Self {
         Compiled::new(factor, Polynomial::compile, Coefficient::pi())
@@ -210,7 +220,10 @@ impl<I: ScaledIntegral> Residual<I> {
         if m * quotient.from > 1.0 || compiled.numerator_degree > compiled.denominator_degree {
             return None;
         }
-        Some(enclose(&compiled.at(&exact(m)?, 0, RBig::clone, || h.clone())))
+        let m = exact(m)?;
+        // At a pole there is no residual.
+        (!compiled.denominator_at(&m, &h).is_zero())
+            .then(|| enclose(&compiled.at(&m, 0, RBig::clone, || h.clone())))
     }
 
     /// The extremes over the integers from..=to.
@@ -248,6 +261,16 @@ mod tests {
         assert!(integers.max.value.hi() <= reals.max.value.hi());
         assert_eq!(integers.min.n, 16.0);
         assert!(integers.min.value.contains(4.0 / 9000.0)); // (16/17)(1.063 + 1/16)(17/18) - 1
+    }
+
+    /// A pole at an end of the range leaves the residual unknown there, and nothing else happens.
+    #[test]
+    fn a_pole_is_not_divided_by() {
+        let case = Case { model: Model::Phong, lobe: Lobe::Cs16, limit: Limit::Support };
+        let residual = Residual::new(case, &"1/(n - 16)".parse().unwrap());
+        assert_eq!(residual.in_rationals(1.0 / 16.0), None);
+        let found = residual.over_reals(16.0, 64.0);
+        assert!(found.max.value.hi() == f64::INFINITY && residual.at(16.0) == Interval::WHOLE);
     }
 
     /// A slow rise in which neighbours overlap must not leave the first n in the maximum's name.

@@ -92,7 +92,7 @@ pub(super) fn spread<I: ScaledIntegral>(continuum: &Continuum<'_, I>, count: usi
 /// The parameters whose residual is h, -h, h, … at the reference, and h.
 ///
 /// Solved in x = m/m_max, whose powers are of size 1.
-fn levelled<I: ScaledIntegral>(
+pub(super) fn levelled<I: ScaledIntegral>(
     continuum: &Continuum<'_, I>,
     reference: &[Sample],
     form: FactorForm,

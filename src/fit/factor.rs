@@ -54,6 +54,23 @@ impl Factor {
         &self.formula
     }
 
+    /// The factor as a claims file writes it.
+    ///
+    /// ```
+    /// use bellfit::fit::{Factor, FactorForm};
+    /// let factor = Factor::new(FactorForm::Inverse, &["1.05", "5.5", "-8"], 8).expect("decimals");
+    /// assert_eq!(factor.source(), "(1.05*n + 5.5 - 8/n)/(8*pi)");
+    /// assert!(factor.formula().is_identical(&factor.source().parse()?));
+    /// # Ok::<(), bellfit::bound::FormulaError>(())
+    /// ```
+    pub fn source(&self) -> String {
+        if let Some(line) = self.line() {
+            return line.source();
+        }
+        let plain = self.to_string().replace("n²", "n^2").replace('π', "*pi");
+        plain.replacen(" n", "*n", 1)
+    }
+
     /// The same as a line a n + b, if it is one.
     pub fn line(&self) -> Option<Line> {
         self.form.as_line()?;

@@ -70,6 +70,22 @@ impl Line {
         &self.divisor
     }
 
+    /// The line as a claims file writes it.
+    ///
+    /// ```
+    /// use bellfit::fit::Line;
+    /// assert_eq!(Line::new("1.063", "-1", "2").expect("decimals").source(), "(1.063*n - 1)/(2*pi)");
+    /// ```
+    pub fn source(&self) -> String {
+        let Line { a, b, divisor, .. } = self;
+        let slope = if a == "1" { "n".to_owned() } else { format!("{a}*n") };
+        match b.strip_prefix('-') {
+            _ if b == "0" => format!("{slope}/({divisor}*pi)"),
+            Some(positive) => format!("({slope} - {positive})/({divisor}*pi)"),
+            None => format!("({slope} + {b})/({divisor}*pi)"),
+        }
+    }
+
     /// The same as a formula, exactly.
     pub fn formula(&self) -> &Formula {
         &self.formula

@@ -8,15 +8,18 @@
 pub mod bell;
 pub mod clip;
 
+mod band;
 mod certified;
 mod continuum;
 mod digits;
 mod exchange;
+mod exponents;
 mod factor;
 mod factor_row;
 mod form;
 mod least_squares;
 mod line;
+mod mend;
 mod minimax;
 mod nearest;
 mod nonlinear;
@@ -28,12 +31,15 @@ mod shortest;
 mod table;
 mod weight;
 
+pub use band::Band;
 pub use certified::{CertifiedFit, certified_least_squares, scaled_integrals};
+pub use exponents::Exponents;
 pub use factor::Factor;
 pub use factor_row::{DIGITS, FactorRow, SHORT_DIGITS, factor_rows, fit_factor};
 pub use form::FactorForm;
 pub use least_squares::least_squares;
 pub use line::Line;
+pub use mend::{Change, Mended, Remedy, RuledOut, mend};
 pub use minimax::{Minimax, minimax};
 pub use nearest::{Nearest, nearest};
 pub use nonlinear::simplex_search;

@@ -60,7 +60,7 @@ pub fn nearest(problem: &Problem, printed: &Line, bound: f64) -> Option<Nearest>
 
 /// Every text that differs from `text` in exactly `changed` digits; a sign, a point and the
 /// number of digits stay.
-fn variants(text: &str, changed: usize) -> Vec<String> {
+pub(super) fn variants(text: &str, changed: usize) -> Vec<String> {
     fn extend(characters: &mut Vec<char>, from: usize, left: usize, found: &mut Vec<String>) {
         if left == 0 {
             found.push(characters.iter().collect());

@@ -75,6 +75,8 @@ impl ClaimsFile {
     /// # Errors
     /// [`ClaimsError`] for anything unknown, missing, doubled or unreadable, with its place.
     pub fn parse(text: &str) -> Result<Self, ClaimsError> {
+        // Some editors begin a file with a mark that is no character of it.
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let place = |at: usize, message: String| {
             let before = &text[..floor_boundary(text, at)];
             let line = before.matches('\n').count() + 1;
@@ -89,7 +91,7 @@ impl ClaimsFile {
             let found = raw.version.get_ref();
             return Err(place(
                 raw.version.span().start,
-                format!("version {found}: this program reads {VERSION}"),
+                format!("version {found}: this program reads version {VERSION}"),
             ));
         }
         let mut seen = BTreeSet::new();

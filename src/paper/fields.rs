@@ -132,9 +132,11 @@ impl Fields<'_> {
                 return Err(unused(key, *at));
             }
         }
-        match &self.raw.powers {
-            Some(powers) if !self.used.contains("powers") => Err(unused("powers", powers.span().start)),
-            _ => Ok(()),
+        let powers = self.raw.powers.as_ref().map(|powers| ("powers", powers.span().start));
+        let coefficients = self.raw.coefficients.as_ref().map(|list| ("coefficients", list.span().start));
+        match powers.into_iter().chain(coefficients).find(|(key, _)| !self.used.contains(key)) {
+            Some((key, at)) => Err(unused(key, at)),
+            None => Ok(()),
         }
     }
 }

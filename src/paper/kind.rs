@@ -1,6 +1,6 @@
 //! The kinds of statement a claims file can make. The judge dispatches on these alone.
 
-use super::{PixelKind, Printed};
+use super::{Normalisation, PixelKind, Printed};
 use crate::bound::{Formula, Gaussian};
 use crate::fit::{Form, Objective};
 use crate::integral::albedo::Reflectance;
@@ -64,6 +64,8 @@ pub enum Kind {
         /// Where.
         place: String,
     },
+    /// What is asked of the residual of one's own constants, for any lobe.
+    Normalisation(Box<Normalisation>),
     /// An extreme of 2π coef(n) Int(n) - 1; without a printed number, a figure.
     FactorResidual {
         /// The integral.
@@ -207,10 +209,52 @@ pub enum Kind {
 }
 
 impl Kind {
+    /// Every kind's name in claims files: first the kind for one's own constants, then those that the papers' files
+    /// need. [`super::schema`] tells the keys of each.
+    pub const IDS: [&'static str; 36] = [
+        "normalisation",
+        "factor-identity",
+        "factor-inequality",
+        "factor-residual",
+        "energy",
+        "energy-at-every-angle",
+        "same-integral",
+        "fit",
+        "lobe-difference",
+        "lobe-zero",
+        "cut",
+        "cut-effect",
+        "gaussian-falls",
+        "gaussian-beats-lobe",
+        "bell-falls",
+        "definition",
+        "derivatives-agree",
+        "conic",
+        "gaussian-volume",
+        "gaussian-beyond-base",
+        "rotation",
+        "tilt",
+        "axis-formula",
+        "axes",
+        "bell-number",
+        "bell-is-nearest",
+        "bell-uncut",
+        "weight-number",
+        "weight-on-rim",
+        "weight",
+        "weight-is-nearest",
+        "clipped-volume",
+        "clipped-volume-distance",
+        "clipped-volume-fit",
+        "rim-texel",
+        "rim-volume",
+    ];
+
     /// The name in claims files.
     pub const fn id(&self) -> &'static str {
         match self {
             Kind::Definition { .. } => "definition",
+            Kind::Normalisation(_) => "normalisation",
             Kind::FactorResidual { .. } => "factor-residual",
             Kind::Energy { .. } => "energy",
             Kind::EnergyAtEveryAngle { .. } => "energy-at-every-angle",

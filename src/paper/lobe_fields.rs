@@ -10,7 +10,7 @@ use crate::integral::{Case, Limit, Lobe};
 use crate::kernel::model::Model;
 
 impl Fields<'_> {
-    fn formula(&mut self, key: &'static str) -> Result<Formula, Problem> {
+    pub(super) fn formula(&mut self, key: &'static str) -> Result<Formula, Problem> {
         let (text, at) = self.needed(key)?;
         text.parse().map_err(|error: crate::bound::FormulaError| (at, error.to_string()))
     }
@@ -31,7 +31,7 @@ impl Fields<'_> {
         }
     }
 
-    fn model(&mut self, key: &'static str) -> Result<Model, Problem> {
+    pub(super) fn model(&mut self, key: &'static str) -> Result<Model, Problem> {
         let known = Model::ALL.map(Model::id).join(", ");
         self.word(key, Model::from_id, &known)
     }
@@ -64,7 +64,7 @@ impl Fields<'_> {
         self.word(key, Limit::from_id, &Limit::ALL.map(Limit::id).join(", "))
     }
 
-    fn over(&mut self) -> Result<Over, Problem> {
+    pub(super) fn over(&mut self) -> Result<Over, Problem> {
         let read = |word: &str| match word {
             "integers" => Some(Over::Integers),
             "reals" => Some(Over::Reals),
@@ -100,7 +100,15 @@ impl Fields<'_> {
     /// The reading's kind with its parameters.
     pub(super) fn kind(&mut self) -> Result<Kind, Problem> {
         let kind = self.raw.kind.get_ref().as_str();
+        let unknown = || {
+            let known = Kind::IDS.join(", ");
+            (self.raw.kind.span().start, format!("unknown kind \"{kind}\"; known are {known}"))
+        };
+        if !Kind::IDS.contains(&kind) {
+            return Err(unknown());
+        }
         Ok(match kind {
+            "normalisation" => Kind::Normalisation(Box::new(self.normalisation()?)),
             "definition" => Kind::Definition { place: self.needed("place")?.0 },
             "factor-residual" => {
                 let printed = self.printed("printed")?;
@@ -189,10 +197,7 @@ impl Fields<'_> {
             "bell-falls" => Kind::BellFalls { powers: self.powers()? },
             _ => match self.pixel_kind(kind)? {
                 Some(pixel) => Kind::Pixel(Box::new(pixel)),
-                None => {
-                    let message = format!("unknown kind \"{kind}\"");
-                    return Err((self.raw.kind.span().start, message));
-                }
+                None => return Err((self.raw.kind.span().start, format!("unknown kind \"{kind}\""))),
             },
         })
     }

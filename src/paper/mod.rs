@@ -5,14 +5,18 @@ mod claims;
 mod fields;
 mod kind;
 mod lobe_fields;
+mod normalisation;
+mod normalisation_fields;
 mod pixel_fields;
 mod pixel_kind;
 mod pixel_words;
 mod printed;
 mod raw;
+pub mod schema;
 
 pub use claims::{Claim, ClaimsError, ClaimsFile, Reading, parse_range};
 pub use kind::{Comparison, CutForm, Kind, Over, Relation, Statistic};
+pub use normalisation::{ClaimedLobe, Normalisation};
 pub use pixel_kind::{ClipFormula, PixelKind, WeightFormula};
 pub use pixel_words::{
     AxesProperty, Base, BellFigure, ClipProperty, ConstantTerm, Denominator, Octant, Region, RimShare, Shape,

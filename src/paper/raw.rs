@@ -33,6 +33,7 @@ pub(super) struct RawReading {
     pub kind: Spanned<String>,
     pub place: Option<Spanned<String>>,
     pub model: Option<Spanned<OneOrMany>>,
+    pub convention: Option<Spanned<OneOrMany>>,
     pub other: Option<Spanned<OneOrMany>>,
     pub lobe: Option<Spanned<OneOrMany>>,
     #[serde(rename = "use")]
@@ -65,6 +66,7 @@ pub(super) struct RawReading {
     #[serde(rename = "constant-term")]
     pub constant_term: Option<Spanned<OneOrMany>>,
     pub share: Option<Spanned<OneOrMany>>,
+    pub energy: Option<Spanned<OneOrMany>>,
     pub form: Option<Spanned<String>>,
     pub n: Option<Spanned<String>>,
     pub factor: Option<Spanned<String>>,
@@ -78,14 +80,19 @@ pub(super) struct RawReading {
     pub constant: Option<Spanned<String>>,
     pub linear: Option<Spanned<String>>,
     pub square: Option<Spanned<String>>,
+    pub bound: Option<Spanned<String>>,
+    #[serde(rename = "loses-at-most")]
+    pub loses_at_most: Option<Spanned<String>>,
     pub powers: Option<Spanned<Vec<u32>>>,
+    pub coefficients: Option<Spanned<Vec<Spanned<Number>>>>,
 }
 
 impl RawReading {
     /// The lists of words, in the order in which they are appended to a reading's id.
-    pub(super) fn lists(&self) -> [(&'static str, &Option<Spanned<OneOrMany>>); 31] {
+    pub(super) fn lists(&self) -> [(&'static str, &Option<Spanned<OneOrMany>>); 33] {
         [
             ("model", &self.model),
+            ("convention", &self.convention),
             ("other", &self.other),
             ("lobe", &self.lobe),
             ("use", &self.usage),
@@ -116,11 +123,12 @@ impl RawReading {
             ("points", &self.points),
             ("constant-term", &self.constant_term),
             ("share", &self.share),
+            ("energy", &self.energy),
         ]
     }
 
     /// The fields that hold one text.
-    pub(super) fn texts(&self) -> [(&'static str, &Option<Spanned<String>>); 14] {
+    pub(super) fn texts(&self) -> [(&'static str, &Option<Spanned<String>>); 16] {
         [
             ("place", &self.place),
             ("form", &self.form),
@@ -136,6 +144,8 @@ impl RawReading {
             ("constant", &self.constant),
             ("linear", &self.linear),
             ("square", &self.square),
+            ("bound", &self.bound),
+            ("loses-at-most", &self.loses_at_most),
         ]
     }
 }
@@ -170,5 +180,31 @@ impl<'de> Deserialize<'de> for OneOrMany {
             }
         }
         deserializer.deserialize_any(Words)
+    }
+}
+
+/// A number that is taken as it is printed: a whole one, or a decimal in quotes.
+#[derive(Clone, Debug)]
+pub(super) struct Number(pub String);
+
+impl<'de> Deserialize<'de> for Number {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Digits;
+        impl Visitor<'_> for Digits {
+            type Value = Number;
+
+            fn expecting(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                f.write_str("a whole number, or a decimal in quotes, which is taken exactly as printed")
+            }
+
+            fn visit_i64<E>(self, value: i64) -> Result<Number, E> {
+                Ok(Number(value.to_string()))
+            }
+
+            fn visit_str<E>(self, text: &str) -> Result<Number, E> {
+                Ok(Number(text.to_owned()))
+            }
+        }
+        deserializer.deserialize_any(Digits)
     }
 }

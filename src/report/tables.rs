@@ -192,7 +192,7 @@ pub(super) fn suprema(study: &Study) -> Result<Vec<u8>, ArtifactError> {
     }))
 }
 
-/// One line of `reports/verdicts.csv`, and of `bellfit verify --json`.
+/// One line of `reports/verdicts.csv` and `reports/verdicts.json`.
 #[derive(Serialize)]
 struct VerdictLine<'a> {
     claim: &'a str,
@@ -235,15 +235,6 @@ pub(super) fn verdicts_csv(study: &Study) -> Result<Vec<u8>, ArtifactError> {
 /// `reports/verdicts.json`.
 pub(super) fn verdicts_json(study: &Study) -> Result<Vec<u8>, ArtifactError> {
     json(verdict_lines(&study.judgements, |j| study.expectations.of(j).map(|e| e.verdict.id())))
-}
-
-/// Judgements as JSON, for a file of the user's own.
-///
-/// # Errors
-/// If the text cannot be made, which no finite number causes.
-pub fn judgements_json(judgements: &[Judgement]) -> Result<String, ArtifactError> {
-    let bytes = json(verdict_lines(judgements, |_| None))?;
-    String::from_utf8(bytes).map_err(|error| ArtifactError::Table(error.to_string()))
 }
 
 fn json<'a>(lines: impl Iterator<Item = VerdictLine<'a>>) -> Result<Vec<u8>, ArtifactError> {

@@ -1,12 +1,11 @@
 //! What the program prints.
 
 use super::artifacts::ArtifactError;
-use super::number::{enclosure, short};
+use super::number::short;
 use super::study::Study;
 use super::summary::summaries;
 use crate::bound::Extremes;
 use crate::fit::{FactorRow, FitRow, Objective};
-use crate::verdict::Judgement;
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -15,24 +14,6 @@ pub fn verdict_lines(study: &Study) -> String {
     let mut text = String::new();
     for summary in summaries(study) {
         let _ = writeln!(text, "{:<4} {:<30} {}", summary.claim.id, summary.verdict(), summary.claim.text);
-    }
-    text
-}
-
-/// One line a reading: claim, reading, verdict, numbers, witness.
-pub fn judgement_lines(judgements: &[Judgement]) -> String {
-    let mut text = String::new();
-    for j in judgements {
-        let printed = if j.printed.is_empty() { String::new() } else { format!(" stated {};", j.printed) };
-        let computed = j.computed.map(|c| format!(" computed {};", enclosure(c))).unwrap_or_default();
-        let _ = writeln!(
-            text,
-            "{}, {}: {}.{printed}{computed} {}",
-            j.claim,
-            j.reading,
-            j.verdict.id(),
-            j.witness
-        );
     }
     text
 }

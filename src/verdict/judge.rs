@@ -1,12 +1,16 @@
 //! The judge: one verdict a reading, by its kind alone.
 
+use super::NormalisationFinding;
 use super::judgement::{Evidence, Finding, Judgement, Verdict};
-use super::{albedo, algebra, lobes, pixel};
+use super::{albedo, algebra, lobes, normalisation, pixel};
 use crate::bound::{DifferenceExtreme, Extremes, Fixed, Formula, Gaussian, Interval};
 use crate::fit::FitError;
 use crate::integral::{Case, Limit};
 use crate::paper::{ClaimsFile, Kind, Over};
 use std::collections::BTreeMap;
+
+/// What comes of one reading.
+type Found = (Finding, Option<Evidence>, Option<Box<NormalisationFinding>>);
 
 /// First and last n.
 type Range = (u32, u32);
@@ -50,34 +54,37 @@ impl Judge {
         let mut judgements = Vec::new();
         for claim in &file.claims {
             for reading in &claim.readings {
-                let (found, evidence) = self.find(&reading.kind)?;
+                let (found, evidence, normalisation) = self.find(&reading.kind)?;
                 let Finding { printed, computed, verdict, witness } = found;
                 judgements.push(Judgement {
                     claim: claim.id.clone(),
                     paper: claim.paper.clone(),
                     locator: claim.locator.clone(),
                     reading: reading.id.clone(),
+                    kind: reading.kind.id(),
                     printed,
                     computed,
                     evidence,
                     verdict,
                     witness,
+                    normalisation,
                 });
             }
         }
         Ok(judgements)
     }
 
-    /// What comes of it, and how strong that is: only what there is nothing to judge about has no strength.
-    fn find(&mut self, kind: &Kind) -> Result<(Finding, Option<Evidence>), FitError> {
+    /// What comes of it, and how strong that is: only what there is nothing to judge about has no strength. Of
+    /// one's own constants also the parts.
+    fn find(&mut self, kind: &Kind) -> Result<Found, FitError> {
         let certified = match kind {
             Kind::Definition { place } => {
                 let (printed, witness, verdict) = (String::new(), place.clone(), Verdict::Definition);
-                return Ok((Finding { printed, computed: None, verdict, witness }, None));
+                return Ok((Finding { printed, computed: None, verdict, witness }, None, None));
             }
             Kind::EnergyAtEveryAngle { reflectance, lobe, factor, n } => {
                 let found = albedo::energy_at_every_angle(*reflectance, *lobe, factor, *n);
-                return Ok((found, Some(Evidence::Estimated)));
+                return Ok((found, Some(Evidence::Estimated), None));
             }
             Kind::FactorResidual { case, factor, n, over, statistic, relation, printed, place, .. } => {
                 let of = (*case, factor, *n, *over);
@@ -86,6 +93,10 @@ impl Judge {
                     found.witness = format!("{}; {place}", found.witness);
                 }
                 found
+            }
+            Kind::Normalisation(claim) => {
+                let (found, parts) = normalisation::normalisation(claim)?;
+                return Ok((found, Some(Evidence::Certified), Some(Box::new(parts))));
             }
             Kind::Energy { case, factor, n, over } => self.energy(*case, factor, *n, *over),
             Kind::LobeDifference { cut, n, statistic, relation, printed } => {
@@ -105,6 +116,6 @@ impl Judge {
             Kind::BellFalls { powers } => lobes::bell_falls(powers),
             Kind::Pixel(kind) => pixel::judge(kind),
         };
-        Ok((certified, Some(Evidence::Certified)))
+        Ok((certified, Some(Evidence::Certified), None))
     }
 }

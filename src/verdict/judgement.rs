@@ -1,5 +1,6 @@
 //! What came of one reading.
 
+use super::NormalisationFinding;
 use crate::bound::{Interval, exact};
 use crate::paper::{Printed, Relation};
 use dashu_ratio::RBig;
@@ -64,6 +65,8 @@ pub struct Judgement {
     pub locator: String,
     /// The reading's id.
     pub reading: String,
+    /// The name of its kind.
+    pub kind: &'static str,
     /// The statement's number as printed, if there is one.
     pub printed: String,
     /// The computed enclosure, if the statement is about a number.
@@ -74,6 +77,8 @@ pub struct Judgement {
     pub verdict: Verdict,
     /// The argument that decides it, or where a definition is regenerated.
     pub witness: String,
+    /// For one's own constants: what each demand came to, and the nearest constants that would hold.
+    pub normalisation: Option<Box<NormalisationFinding>>,
 }
 
 /// What a kind's judge hands back; the claim's own words are added around it.

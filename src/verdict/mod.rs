@@ -8,6 +8,7 @@ mod judge;
 mod judgement;
 mod lobes;
 mod minimum;
+mod normalisation;
 mod pixel;
 mod residuals;
 
@@ -15,3 +16,4 @@ pub use expected::{EXPECTED, EXPECTED_PIXEL, Expectation, Expectations, Expected
 pub use judge::Judge;
 pub use judgement::{Evidence, Judgement, Verdict};
 pub use minimum::{MinimumProof, prove_minimum};
+pub use normalisation::{Demand, DemandFinding, NormalisationFinding};

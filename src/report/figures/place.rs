@@ -24,7 +24,7 @@ impl Shown {
             Kind::CutEffect { .. } => Shown::new(&[], &["cuts", "difference-curves"]),
             Kind::LobeDifference { .. } => Shown::new(&["difference-curves", "difference-map"], &[]),
             Kind::FactorResidual { .. } => Shown::new(&["residuals"], &[]),
-            Kind::Energy { .. } => Shown::new(&[], &["residuals"]),
+            Kind::Energy { .. } | Kind::Normalisation(_) => Shown::new(&[], &["residuals"]),
             Kind::EnergyAtEveryAngle { .. } => {
                 Shown::new(&["albedo-16", "albedo-64", "albedo-difference"], &[])
             }

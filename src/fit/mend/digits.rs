@@ -1,0 +1,117 @@
+//! A line by the fewest of its digits changed.
+
+use super::{Change, Remedy, SLACK, Search, TRIES};
+use crate::bound::{Formula, decimal};
+use crate::fit::Line;
+use crate::fit::nearest::variants;
+use crate::integral::ScaledIntegral;
+use std::collections::BTreeMap;
+
+/// At most so many digits are changed, and so many of them in b.
+const MOST_CHANGED: usize = 4;
+const MOST_IN_B: usize = 3;
+/// Longer lists of decimals are left out, so that constants of many digits take no minutes.
+const MOST_VARIANTS: usize = 40_000;
+
+/// A candidate: its largest |residual| in doubles, a and b.
+type Ranked = (f64, String, String);
+
+impl<I: ScaledIntegral + Clone> Search<'_, I> {
+    /// Fewest digits changed; among those the smallest |residual| first.
+    pub(super) fn by_digits(&self, line: &Line) -> Option<Remedy> {
+        // What the line's g is of the samples' one.
+        let divisor: f64 = line.divisor().parse().ok()?;
+        let ratio = f64::from(self.continuum.divisor) / divisor;
+        if !(ratio.is_finite() && ratio > 0.0) {
+            return None;
+        }
+        let (low, high) = self.allowed();
+        let points: Vec<Point> = self
+            .samples
+            .iter()
+            .map(|s| {
+                let g = ratio * s.g;
+                Point { m: s.m, g, least: low / g, most: high / g }
+            })
+            .collect();
+        let mut slopes: BTreeMap<usize, Vec<(f64, String)>> = BTreeMap::new();
+        for total in 1..=MOST_CHANGED {
+            let mut ranked: Vec<Ranked> = Vec::new();
+            for in_b in 0..=total.min(MOST_IN_B) {
+                let a = slopes.entry(total - in_b).or_insert_with(|| listed(line.a(), total - in_b));
+                for (b, text) in listed(line.b(), in_b) {
+                    ranked.extend(best_slope(&points, a, b).map(|(worst, a)| (worst, a, text)));
+                }
+            }
+            ranked.sort_by(|x, y| x.0.total_cmp(&y.0).then_with(|| (&x.1, &x.2).cmp(&(&y.1, &y.2))));
+            for (_, a, b) in ranked.into_iter().take(TRIES) {
+                let line = Line::new(&a, &b, line.divisor())?;
+                let formula: &Formula = line.formula();
+                if let Some(extremes) = self.certified(formula) {
+                    let source = line.source();
+                    return Some(Remedy {
+                        change: Change::Digits { line, changed: total },
+                        source,
+                        extremes,
+                    });
+                }
+            }
+        }
+        None
+    }
+}
+
+/// A sample for one divisor: 1 + residual = g (a + b m), and least ≤ a + b m ≤ most.
+struct Point {
+    m: f64,
+    g: f64,
+    least: f64,
+    most: f64,
+}
+
+/// Decimals that differ in exactly so many digits, ascending; none begins with a zero that was not there.
+fn listed(text: &str, changed: usize) -> Vec<(f64, String)> {
+    let digits = text.bytes().filter(u8::is_ascii_digit).count();
+    let count = (0..changed).fold(1, |count, k| count * 9 * digits.saturating_sub(k) / (k + 1));
+    if count > MOST_VARIANTS {
+        return vec![];
+    }
+    let padded = |t: &str| {
+        let t = t.trim_start_matches('-');
+        t.len() > 1 && t.starts_with('0') && !t.starts_with("0.")
+    };
+    let known = padded(text);
+    let texts = variants(text, changed).into_iter().filter(|t| known || !padded(t));
+    let mut all: Vec<(f64, String)> =
+        texts.filter_map(|t| Some((decimal(&t)?.0.to_f64().value(), t))).collect();
+    all.sort_by(|x, y| x.0.total_cmp(&y.0));
+    all
+}
+
+/// Of the slopes that keep the band with this b, the one of least |residual|, which is convex in a.
+fn best_slope(points: &[Point], slopes: &[(f64, String)], b: f64) -> Option<(f64, String)> {
+    let (mut least, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
+    for p in points {
+        let bent = b * p.m;
+        // The product's own rounding, where the terms cancel.
+        let doubt = SLACK * bent.abs();
+        least = least.max(p.least - bent - doubt);
+        most = most.min(p.most - bent + doubt);
+        if least > most {
+            return None;
+        }
+    }
+    let from = slopes.partition_point(|(a, _)| *a < least);
+    let to = slopes.partition_point(|(a, _)| *a <= most);
+    let worst = |i: usize| {
+        let a = slopes[i].0;
+        points.iter().map(|p| (p.g * (a + b * p.m) - 1.0).abs()).fold(0.0, f64::max)
+    };
+    let (mut lo, mut hi) = (from, to);
+    while hi > lo + 1 {
+        let middle = lo + (hi - lo) / 2;
+        // Rising from here on: the least is before.
+        if worst(middle) >= worst(middle - 1) { hi = middle } else { lo = middle }
+    }
+    (lo < to).then(|| (worst(lo), slopes[lo].1.clone()))
+}

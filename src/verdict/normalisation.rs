@@ -1,0 +1,191 @@
+//! Statements about one's own constants: one verdict on all that is asked, and what would hold instead.
+
+use super::judgement::{Finding, Verdict, compare};
+use crate::bound::{Extreme, Extremes, Integral, Interval, LobeIntegral, Residual};
+use crate::fit::{Band, Exponents, FitError, Mended, mend};
+use crate::integral::Case;
+use crate::paper::{ClaimedLobe, Normalisation, Printed, Relation};
+
+/// What is asked of a factor.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Demand {
+    /// The factor is positive: without that it normalises nothing. Told only where it fails.
+    Positive,
+    /// |residual| is at most this.
+    Bound(Printed),
+    /// The residual is at most 0.
+    NeverGains,
+    /// The residual is at least the negative of this.
+    LosesAtMost(Printed),
+}
+
+impl Demand {
+    /// The word in files.
+    pub const fn id(&self) -> &'static str {
+        match self {
+            Demand::Positive => "positive",
+            Demand::Bound(_) => "bound",
+            Demand::NeverGains => "never-gains",
+            Demand::LosesAtMost(_) => "loses-at-most",
+        }
+    }
+
+    /// The number asked for, as printed; empty where there is none.
+    pub fn printed(&self) -> &str {
+        match self {
+            Demand::Bound(printed) | Demand::LosesAtMost(printed) => &printed.text,
+            Demand::Positive | Demand::NeverGains => "",
+        }
+    }
+}
+
+impl core::fmt::Display for Demand {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Demand::Positive => write!(f, "is positive"),
+            Demand::Bound(printed) => write!(f, "|residual| ≤ {}", printed.text),
+            Demand::NeverGains => write!(f, "never gains"),
+            Demand::LosesAtMost(printed) => write!(f, "loses at most {}", printed.text),
+        }
+    }
+}
+
+/// What one demand came to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DemandFinding {
+    /// What is asked.
+    pub demand: Demand,
+    /// The number that decides it: |residual| for a bound, the largest residual for what never gains, the loss
+    /// (the negative of the smallest residual) for what loses at most so much.
+    pub computed: Interval,
+    /// The n at which it is reached; ∞ where it is a limit.
+    pub n: f64,
+    /// Whether it holds.
+    pub verdict: Verdict,
+}
+
+/// All that came of one's own constants.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NormalisationFinding {
+    /// Over which n.
+    pub exponents: Exponents,
+    /// The residual 2π coef(n) Int(n) - 1, certified.
+    pub extremes: Extremes,
+    /// What is asked, one by one.
+    pub demands: Vec<DemandFinding>,
+    /// Where not all holds, what would.
+    pub mended: Option<Mended>,
+}
+
+/// The verdict on all that is asked, with its parts.
+///
+/// # Errors
+/// [`FitError::NoOptimum`] if no rule integrates the lobe, which no lobe that files can name causes.
+pub(super) fn normalisation(claim: &Normalisation) -> Result<(Finding, NormalisationFinding), FitError> {
+    let integral = integral(claim).ok_or_else(|| FitError::NoOptimum {
+        method: "a rule",
+        case: format!("{}, {}", claim.model.id(), claim.lobe.id()),
+    })?;
+    let extremes = claim.n.extremes(&Residual::new(integral.clone(), &claim.factor));
+    let demands = demands(claim, &extremes);
+    let verdict = [Verdict::Refuted, Verdict::Undecided]
+        .into_iter()
+        .find(|verdict| demands.iter().any(|d| d.verdict == *verdict))
+        .unwrap_or(Verdict::Proved);
+    let band = Band::new(
+        claim.bound.as_ref().map(|b| &b.value),
+        claim.never_gains,
+        claim.loss.as_ref().map(|l| &l.value),
+    );
+    let mended =
+        (verdict != Verdict::Proved).then(|| mend(&integral, claim.n, (&claim.factor, &claim.text), &band));
+    // What decides: the first that has the verdict.
+    let deciding = demands.iter().find(|d| d.verdict == verdict);
+    let asked: Vec<String> =
+        demands.iter().filter(|d| d.demand != Demand::Positive).map(|d| d.demand.to_string()).collect();
+    let finding = Finding {
+        printed: asked.join(", "),
+        computed: deciding.map(|d| d.computed),
+        verdict,
+        witness: witness(verdict, deciding, &extremes),
+    };
+    Ok((finding, NormalisationFinding { exponents: claim.n, extremes, demands, mended }))
+}
+
+fn integral(claim: &Normalisation) -> Option<Integral> {
+    let (model, limit) = (claim.model, claim.limit);
+    let bell = match &claim.lobe {
+        ClaimedLobe::Table(lobe) => return Some(Integral::Closed(Case { model, lobe: *lobe, limit })),
+        ClaimedLobe::StandIn(stand_in) => LobeIntegral::new(stand_in.id(), stand_in.formula()?, model)?,
+        ClaimedLobe::Polynomial { name, bell } => LobeIntegral::of_polynomial(name, bell.clone(), model)?,
+    };
+    Some(Integral::Bell(Box::new(bell.at_limit(limit))))
+}
+
+fn demands(claim: &Normalisation, extremes: &Extremes) -> Vec<DemandFinding> {
+    let Extremes { max, min } = extremes;
+    let loss = -min.value;
+    let mut found = Vec::new();
+    let mut add = |demand, computed, n, verdict| found.push(DemandFinding { demand, computed, n, verdict });
+    if min.value.lo() <= -1.0 {
+        let verdict = if min.value.hi() <= -1.0 { Verdict::Refuted } else { Verdict::Undecided };
+        add(Demand::Positive, min.value, min.n, verdict);
+    }
+    if let Some(bound) = &claim.bound {
+        let Extreme { value, n } = extremes.magnitude();
+        add(Demand::Bound(bound.clone()), value, n, compare(value, bound, Relation::AtMost));
+    }
+    if claim.never_gains {
+        let verdict = match () {
+            () if max.value.hi() <= 0.0 => Verdict::Proved,
+            () if max.value.lo() > 0.0 => Verdict::Refuted,
+            () => Verdict::Undecided,
+        };
+        add(Demand::NeverGains, max.value, max.n, verdict);
+    }
+    if let Some(most) = &claim.loss {
+        add(Demand::LosesAtMost(most.clone()), loss, min.n, compare(loss, most, Relation::AtMost));
+    }
+    found
+}
+
+fn witness(verdict: Verdict, deciding: Option<&DemandFinding>, extremes: &Extremes) -> String {
+    let Extremes { max, min } = extremes;
+    let lowest = format!("{} at {}", number(min.value), place(min.n));
+    match deciding {
+        Some(d) if verdict != Verdict::Proved => {
+            let (value, place) = (number(d.computed), place(d.n));
+            let says = match (&d.demand, verdict) {
+                (Demand::Positive, Verdict::Refuted) => "is not positive: 2π coef Int - 1 is",
+                (Demand::Positive, _) => "is not proved positive: 2π coef Int - 1 is within",
+                (Demand::Bound(_), Verdict::Refuted) => "|2π coef Int - 1| reaches",
+                (Demand::NeverGains, Verdict::Refuted) => "gains energy: 2π coef Int - 1 reaches",
+                (Demand::LosesAtMost(_), Verdict::Refuted) => "loses too much: 1 - 2π coef Int reaches",
+                (Demand::Bound(_), _) => "|2π coef Int - 1| is within",
+                (Demand::NeverGains, _) => "2π coef Int - 1 reaches up to a value within",
+                (Demand::LosesAtMost(_), _) => "1 - 2π coef Int is within",
+            };
+            format!("{says} {value} at {place}")
+        }
+        _ if number(max.value) == number(min.value) => format!("2π coef Int - 1 is {lowest}"),
+        _ => format!("2π coef Int - 1 runs from {lowest} to {} at {}", number(max.value), place(max.n)),
+    }
+}
+
+/// The middle, or both ends where there are not four digits of it.
+fn number(value: Interval) -> String {
+    let middle = value.mid();
+    if value == Interval::ZERO {
+        "0".to_owned()
+    } else if value.width() > 1e-4 * middle.abs() {
+        format!("[{:.2e}, {:.2e}]", value.lo(), value.hi())
+    } else if (0.1..1e5).contains(&middle.abs()) {
+        format!("{middle:.4}")
+    } else {
+        format!("{middle:.4e}")
+    }
+}
+
+fn place(n: f64) -> String {
+    if n == f64::INFINITY { "n → ∞".to_owned() } else { format!("n = {}", super::residuals::exponent(n)) }
+}
