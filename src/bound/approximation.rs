@@ -223,3 +223,55 @@ impl Distance {
         base(formula, Interval::from, &m, &t).max(Interval::ZERO).power(formula.power)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernel::constants::CUBIC_COS_N;
+
+    /// Over a small box the distance is linear: what encloses it holds its values at the corners, and is no
+    /// wider than they spread but for terms of second order.
+    #[test]
+    fn distances_are_the_range_over_a_small_box() {
+        let cubic = CUBIC_COS_N[1];
+        let bell = |m: f64, t: f64| {
+            let [reach, linear, square] =
+                [cubic.reach, cubic.linear, cubic.square].map(|[a, b, c]| a + m * (b + m * c));
+            let y = t / reach;
+            let p = ((1.0 - y) * (1.0 + y * (linear + y * square))).max(0.0);
+            p * p * p * p
+        };
+        let schlick = |m: f64, v: f64, t: f64| libm::exp(-v * m) / (libm::exp(-v * m) + t);
+        for (stand_in, formula) in
+            [(StandIn::Cubic4, Some(cubic)), (StandIn::SphericalGaussian, None), (StandIn::Schlick, None)]
+        {
+            let at = |m: f64, v: f64, relative: bool| {
+                // cos θ = e^(-v m), t = n (1 - cos θ)
+                let t = -libm::expm1(-v * m) / m;
+                let value = match stand_in {
+                    StandIn::Cubic4 => bell(m, t),
+                    StandIn::Schlick => schlick(m, v, t),
+                    _ => libm::exp(-t),
+                };
+                if relative { value * libm::exp(v) - 1.0 } else { value - libm::exp(-v) }
+            };
+            for relative in [false, true] {
+                let distance = Distance { stand_in, formula, relative };
+                for (m, v) in [(0.01, 0.5), (0.03, 2.0), (0.06, 1.0), (0.05, 4.0), (0.0625, 0.1)] {
+                    let (dm, dv) = (1e-5 * m, 1e-5 * v);
+                    for (dm, dv) in [(0.0, 0.0), (dm, 0.0), (0.0, dv), (dm, dv)] {
+                        let found = distance.over([Interval::new(m, m + dm), Interval::new(v, v + dv)]);
+                        let corners = [(m, v), (m + dm, v), (m, v + dv), (m + dm, v + dv)];
+                        let corners = corners.map(|(m, v)| at(m, v, relative));
+                        let lo = corners.into_iter().fold(f64::INFINITY, f64::min);
+                        let hi = corners.into_iter().fold(f64::NEG_INFINITY, f64::max);
+                        let name = format!("{stand_in:?} {relative} {m} {v} {dm} {dv}: {found:?} {lo} {hi}");
+                        // 1e-12: the corners' own rounding, e^v of it where relative.
+                        assert!(found.lo() <= lo + 1e-12 && found.hi() >= hi - 1e-12, "{name}");
+                        assert!(found.width() <= 1.01 * (hi - lo) + 1e-9 * (dm + dv) + 1e-12, "{name}");
+                    }
+                }
+            }
+        }
+    }
+}

@@ -349,4 +349,47 @@ mod tests {
         let (alpha, beta) = (-1.0 / 1.2 - 1.0 / 1.5, 1.0 / 1.8);
         assert!(!cosine_bell(&formula(alpha, beta), 16.0, &[], 1e-2).unwrap().1.negative_beyond);
     }
+
+    /// cosⁿ - p⁴ = cosⁿ (1 - e^g). Over a small box g and cosⁿ are linear: the enclosure holds the values at the
+    /// corners and is no wider than both spread, but for terms of second order, 1e-5 of the place.
+    #[test]
+    fn the_logarithmic_form_is_the_range_over_a_small_box() {
+        let formula = BellFormula {
+            power: 4,
+            reach: [7.5, -3.0, 2.0],
+            linear: [-0.4, 0.9, 0.5],
+            square: [0.3, -0.7, 0.6],
+        };
+        let bell = Bell { formula: &formula };
+        let row = |[a, b, c]: [f64; 3], m: f64| a + m * (b + m * c);
+        let cosine = |m: f64, t: f64| libm::exp(libm::log1p(-t * m) / m);
+        let at = |(m, y): (f64, f64)| {
+            let (linear, square) = (row(formula.linear, m), row(formula.square, m));
+            let p = (1.0 - y) * (1.0 + y * (linear + y * square));
+            (y * row(formula.reach, m), cosine(m, y * row(formula.reach, m)), p * p * p * p)
+        };
+        let ends = |values: [f64; 4]| {
+            let lo = values.into_iter().fold(f64::INFINITY, f64::min);
+            (lo, values.into_iter().fold(f64::NEG_INFINITY, f64::max))
+        };
+        for (m, y) in [(0.01, 0.1), (0.03, 0.4), (0.06, 0.2), (0.05, 0.7), (0.02, 0.9), (0.0625, 0.55)] {
+            for (dm, dy) in [(1e-5 * m, 0.0), (0.0, 1e-5 * y), (1e-5 * m, 1e-5 * y)] {
+                let corners = [(m, y), (m + dm, y), (m, y + dy), (m + dm, y + dy)].map(at);
+                let (lo, hi) = ends(corners.map(|(_, cosine, power)| cosine - power));
+                let g = ends(corners.map(|(_, cosine, power)| libm::log(power / cosine)));
+                // The factor cosⁿ is enclosed over every t and every m of the box together.
+                let t = ends(corners.map(|(t, ..)| t));
+                let cosine =
+                    ends([(m, t.0), (m, t.1), (m + dm, t.0), (m + dm, t.1)].map(|(m, t)| cosine(m, t)));
+                let spread = cosine.1 * libm::exp(g.1) * (g.1 - g.0)
+                    + (1.0 - libm::exp(g.0)).abs().max((1.0 - libm::exp(g.1)).abs()) * (cosine.1 - cosine.0);
+                let cell = [Interval::new(m, m + dm), Interval::new(y, y + dy)];
+                let found = bell.by_logarithm(cell).unwrap();
+                let name = format!("{m} {y} {dm} {dy}: {found:?}, {lo} to {hi}, {spread}");
+                // The corners' own rounding: of logarithms over m.
+                assert!(found.lo() <= lo + 1e-12 && found.hi() >= hi - 1e-12, "{name}");
+                assert!(found.width() <= 1.02 * spread + 1e-12, "{name}");
+            }
+        }
+    }
 }

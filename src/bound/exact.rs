@@ -103,4 +103,12 @@ mod tests {
         assert!(exact(around.lo()).unwrap() < tenth && tenth < exact(around.hi()).unwrap());
         assert!(around.width() < 6e-17);
     }
+
+    #[test]
+    fn decimals_end_at_400_digits() {
+        let zeros = "0".repeat(400);
+        assert!(decimal(&zeros).is_some() && decimal(&format!("{zeros}0")).is_none());
+        assert!(decimal("1e400").is_some() && decimal("1e401").is_none());
+        assert!(decimal("1e-400").is_some() && decimal("1e-401").is_none());
+    }
 }

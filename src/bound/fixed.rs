@@ -212,4 +212,19 @@ mod tests {
         assert!(lo < RBig::int(1) / RBig::int(9) && RBig::int(1) / RBig::int(9) < hi);
         assert!((third * Fixed::int(1)).to_interval().contains(-1.0 / 3.0));
     }
+
+    #[test]
+    fn products_of_either_sign_hold_their_extremes() {
+        let of = |lo, hi| Fixed::int(lo).hull(Fixed::int(hi));
+        for (a, b, product) in [
+            (of(-1, 2), of(3, 5), of(-5, 10)),
+            (of(3, 5), of(-1, 2), of(-5, 10)),
+            (of(-1, 2), of(-3, 1), of(-6, 3)),
+            (of(-3, -2), of(-5, -4), of(8, 15)),
+            (of(2, 3), of(4, 5), of(8, 15)),
+            (of(0, 2), of(0, 5), of(0, 10)),
+        ] {
+            assert_eq!(a * b, product);
+        }
+    }
 }

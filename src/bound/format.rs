@@ -98,3 +98,14 @@ impl Handed {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_exact_names_are_known() {
+        assert_eq!(Handed::from_id("versine"), Some(Handed::Versine));
+        assert!(["", "Versine", "versine "].iter().all(|id| Handed::from_id(id).is_none()));
+    }
+}

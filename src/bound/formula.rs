@@ -386,4 +386,12 @@ mod tests {
         }
         assert!(("n + ".repeat(100) + "1").parse::<Formula>().is_ok());
     }
+
+    #[test]
+    fn a_quotient_by_0_is_no_function() {
+        let [zero, one] = [0, 1].map(RBig::int);
+        let (none, nothing) = (Formula::linear(&zero, &zero, &zero), Formula::linear(&zero, &zero, &one));
+        assert!(nothing.is_identical(&nothing));
+        assert!(!none.is_identical(&nothing) && !nothing.is_identical(&none) && !none.is_identical(&none));
+    }
 }

@@ -168,4 +168,15 @@ mod tests {
         assert!(growth(Interval::from(0.0)).contains(-0.5));
         assert_eq!(growth(Interval::new(0.5, 1.0)).lo(), f64::NEG_INFINITY);
     }
+
+    /// x/y at (6, 3): 2, with slopes 1/3 and -6/9.
+    #[test]
+    fn quotients_differentiate() {
+        let [x, y] = Gradient::variables([Interval::from(6.0), Interval::from(3.0)]);
+        let quotient = x / y;
+        assert!(quotient.value.contains(2.0) && quotient.value.width() < 1e-14);
+        for (slope, exact) in quotient.slopes.into_iter().zip([1.0 / 3.0, -2.0 / 3.0]) {
+            assert!(slope.contains(exact) && slope.width() < 1e-14, "{slope:?}");
+        }
+    }
 }

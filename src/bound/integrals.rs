@@ -66,3 +66,26 @@ impl IntegralTable {
         Extremes::of(&shares)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::integral::{Limit, Lobe};
+    use crate::kernel::model::Model;
+
+    /// Phong's integrals are 1/(n + 1) for cosⁿ and 16/(17 n) for cs_16: the quotient 16 (n + 1)/(17 n) falls
+    /// from 1 at n = 16.
+    #[test]
+    fn a_share_is_the_quotient_of_the_integrals() {
+        let table = |lobe, from, to| {
+            let limit = if lobe == Lobe::CosN { Limit::Support } else { Limit::ExactZero };
+            IntegralTable::compute(Case { model: Model::Phong, lobe, limit }, from, to).unwrap()
+        };
+        let (whole, part) = (table(Lobe::CosN, 16, 32), table(Lobe::Cs16, 16, 32));
+        let share = part.share_of(&whole).unwrap();
+        assert!(share.max.value.contains(1.0) && share.max.value.width() < 1e-12);
+        assert!(share.min.value.contains(33.0 / 34.0) && share.min.value.width() < 1e-12);
+        assert_eq!((share.max.n, share.min.n), (16.0, 32.0));
+        assert!(table(Lobe::Cs16, 33, 40).share_of(&whole).is_none(), "no n in both");
+    }
+}

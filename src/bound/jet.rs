@@ -180,4 +180,14 @@ mod tests {
         let from_zero = Jet::variable(Interval::new(0.0, 1.0)).half_power().slope;
         assert!(from_zero.hi() > top.hi() && from_zero.hi() < 1.001 * top.hi());
     }
+
+    /// Which of two is the smaller decides whose slope it has, and where that is open it may be either's.
+    #[test]
+    fn the_smaller_brings_its_slope() {
+        let jet = |lo, hi, slope| Jet { value: Interval::new(lo, hi), slope: Interval::from(slope) };
+        let (low, high) = (jet(1.0, 2.0, -1.0), jet(2.0, 3.0, 5.0));
+        assert_eq!((low.min(&high), high.min(&low)), (low, low));
+        let both = jet(0.0, 3.0, 5.0).min(&low);
+        assert_eq!((both.value, both.slope), (Interval::new(0.0, 2.0), Interval::new(-1.0, 5.0)));
+    }
 }

@@ -189,4 +189,12 @@ mod tests {
         assert_eq!(left.degree(0), 2);
         assert_eq!(left.in_n(2), Some(vec![RBig::int(-1), RBig::int(0), RBig::int(0)]));
     }
+
+    #[test]
+    fn what_cancels_is_the_constant_0() {
+        let n = Polynomial::n();
+        assert_eq!(n.minus(&n).as_constant(), Some(RBig::int(0)));
+        assert_eq!(Polynomial::constant(RBig::int(3)).as_constant(), Some(RBig::int(3)));
+        assert!(n.as_constant().is_none() && n.plus(&Polynomial::pi()).as_constant().is_none());
+    }
 }

@@ -60,3 +60,16 @@ pub(super) fn same_integral(model: Model, other: Model) -> Finding {
     };
     Finding::truth(same, None, witness.to_owned())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Phong's integrand is the NDF's; Phong, modified, has another at the same angle, Blinn-Phong the half angle.
+    #[test]
+    fn integrals_are_the_same_by_integrand_and_angle() {
+        let same = |model| same_integral(Model::Phong, model).verdict == Verdict::Proved;
+        assert!(same(Model::Phong) && same(Model::BlinnPhongNdf));
+        assert!(!same(Model::PhongModified) && !same(Model::BlinnPhong) && !same(Model::BlinnPhongModified));
+    }
+}

@@ -68,3 +68,31 @@ fn against((lo, hi): &(RBig, RBig), printed: &Printed) -> Verdict {
         Verdict::Undecided
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bound::decimal;
+
+    /// 1.063 is printed for what lies from 1.0625 to 1.0635.
+    #[test]
+    fn digits_are_judged_and_ties_are_told() {
+        let printed = Printed::parse("1.063").unwrap();
+        let of = |lo: &str, hi: &str| (decimal(lo).unwrap().0, decimal(hi).unwrap().0);
+        let (below, above) = ("1.062499999999", "1.062500000001");
+        for (lo, hi, verdict, text) in [
+            (below, below, Verdict::Refuted, "a is just below the tie 1.0625 (printed 1.063: no)"),
+            ("1.0625", "1.0625", Verdict::Proved, "a is exactly at the tie 1.0625 (printed 1.063: yes)"),
+            (above, above, Verdict::Proved, "a is just above the tie 1.0625 (printed 1.063: yes)"),
+            (below, above, Verdict::Undecided, "a is exactly at the tie 1.0625 (printed 1.063: no)"),
+            ("1.0635", "1.0635", Verdict::Proved, "a is exactly at the tie 1.0635 (printed 1.063: yes)"),
+            ("1.07", "1.07", Verdict::Refuted, "a = 1.070000 (printed 1.063: no)"),
+            ("1.06", "1.06", Verdict::Refuted, "a = 1.060000 (printed 1.063: no)"),
+            ("1.06", "1.07", Verdict::Undecided, "a = 1.065000 (printed 1.063: no)"),
+        ] {
+            let ends = of(lo, hi);
+            assert_eq!(against(&ends, &printed), verdict, "{lo}..{hi}");
+            assert_eq!(against_text("a", &ends, &printed), text, "{lo}..{hi}");
+        }
+    }
+}

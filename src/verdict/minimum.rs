@@ -82,4 +82,16 @@ mod tests {
             assert!(!prove_minimum(cut, 15, 1024).holds, "{cut:?}");
         }
     }
+
+    /// Above n = 16 nothing is taken for granted that is shown at 16.
+    #[test]
+    fn every_step_is_taken_at_every_n() {
+        for (from, to) in [(16, 16), (17, 1024), (64, 64)] {
+            let proof = prove_minimum(Limit::Paper, from, to);
+            assert!(proof.holds && proof.steps.len() == 5, "{from}..{to}: {proof:?}");
+            assert!(proof.steps.iter().all(|step| step.starts_with("holds: ")), "{proof:?}");
+        }
+        let below = prove_minimum(Limit::Paper, 15, 1024);
+        assert!(!below.holds && below.steps.len() == 1 && below.steps[0].starts_with("fails: "), "{below:?}");
+    }
 }

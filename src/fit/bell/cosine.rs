@@ -262,3 +262,32 @@ impl Minimize for Problem {
         rows
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// T = 2 + 3 m + 5 m² at m = 1/2 is 19/4, and a quarter of it 19/16.
+    #[test]
+    fn the_place_of_the_largest_error_is_told_in_n_and_t() {
+        let cs_16 = printed().unwrap();
+        let at = |at| CosineBell {
+            formula: BellFormula { reach: [2.0, 3.0, 5.0], ..cs_16.formula },
+            error: Supremum { at, ..cs_16.error },
+            ..cs_16.clone()
+        };
+        assert_eq!((at([0.5, 0.25]).n_at_maximum(), at([0.5, 0.25]).t_at_maximum()), (2.0, 1.1875));
+        assert_eq!((at([0.0, 0.25]).n_at_maximum(), at([0.0, 0.25]).t_at_maximum()), (f64::INFINITY, 0.5));
+    }
+
+    #[test]
+    fn slopes_of_cos_n_are_difference_quotients() {
+        for (t, m) in [(0.5, 0.0), (2.0, 0.0), (0.5, 1.0 / 16.0), (2.0, 1.0 / 16.0), (7.0, 0.125)] {
+            let h = 1e-6;
+            let quotient = (cos_n(t + h, m).0 - cos_n(t - h, m).0) / (2.0 * h);
+            // The rounding of values below 1 over 2h; what h² adds is less.
+            assert!((cos_n(t, m).1 - quotient).abs() < 1e-9, "{t} {m}");
+        }
+        assert_eq!(cos_n(16.0, 1.0 / 16.0), (0.0, 0.0));
+    }
+}

@@ -166,4 +166,13 @@ mod tests {
             assert!((pixel.volume(0.0) - 0.5).abs() < 1e-15, "{target:?}");
         }
     }
+
+    #[test]
+    fn sigma_is_the_shorter_decimal() {
+        assert_eq!(ClipTarget::Gaussian(6.0).sigma(), Some(1.0 / 6.0));
+        assert_eq!(ClipTarget::GaussianCut(4).sigma(), Some(0.25));
+        // 1/(1/0.22) is 0.21999999999999997.
+        assert_eq!(ClipTarget::Gaussian(1.0 / 0.22).sigma(), Some(0.22));
+        assert!(ClipTarget::Cone.sigma().is_none() && ClipTarget::Parabola(8).sigma().is_none());
+    }
 }
