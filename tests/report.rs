@@ -143,7 +143,7 @@ fn every_link_leads_somewhere() {
         .into_iter()
         .filter_map(|link| Some(format!("#{}", link.strip_prefix("reports/report.md#")?)))
         .collect();
-    assert!(led.len() > 1, "{led:?}");
+    assert!(!led.is_empty());
     assert_eq!(dead_links(led.iter().map(String::as_str), &names), Vec::<String>::new());
     let planted = ["#no-such", "../fits/none.csv", "https://example.org", "/etc", "../fits/clip.csv"];
     assert_eq!(dead_links(planted, &unique), planted[..4]);

@@ -1,15 +1,17 @@
 //! `bellfit fit`.
 
+use super::fit_data::DataArguments;
 use super::{Outcome, known, print};
 use crate::fit::{DIGITS, FactorForm, Form, Objective, Problem, Reals, fit_case, fit_factor};
 use crate::integral::{Case, Limit, Lobe};
 use crate::kernel::model::Model;
 use crate::paper::{Over, parse_range};
 use crate::report::{factor_json, factor_lines, fit_json, fit_lines};
-use anyhow::{Result, bail};
+use anyhow::{Result, anyhow, bail};
 use clap::Args;
 
-/// Fit a factor coef(n) = form/(divisor π) to one model's integral and certify the residual.
+/// Fit a factor coef(n) = form/(divisor π) to one model's integral and certify the residual; or, with --data, lobes
+/// to measured samples.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   bellfit fit --model phong
@@ -17,11 +19,13 @@ use clap::Args;
   bellfit fit --model blinn-phong-modified --n 32..256 --json
   bellfit fit --model blinn-phong --form ratio --n 16..inf
   bellfit fit --model blinn-phong --objective one-sided
-  bellfit fit --model blinn-phong --objective one-sided-rounded --digits 4")]
+  bellfit fit --model blinn-phong --objective one-sided-rounded --digits 4
+  bellfit fit --data-example > samples.csv; bellfit fit --data samples.csv --plot samples.svg
+  bellfit fit --data samples.csv --family cos-n --family cubic-4 --family schlick --json")]
 pub struct Arguments {
     /// phong, phong-modified, blinn-phong, blinn-phong-modified, blinn-phong-ndf or blinn-phong-heightfield.
     #[arg(long, value_name = "MODEL", value_parser = model)]
-    model: Model,
+    model: Option<Model>,
     /// cs16 or cos-n.
     #[arg(long, value_name = "LOBE", default_value = "cs16", value_parser = lobe)]
     lobe: Lobe,
@@ -50,13 +54,19 @@ pub struct Arguments {
     /// Print one JSON object; the end of an endless range is null.
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    data: DataArguments,
 }
 
 /// Digits of a shortest factor if none are given: as many as the papers print.
 const SHORTEST: usize = 4;
 
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome> {
-    let Arguments { model, lobe, limit, objective, ref n, form, over, digits, json } = *arguments;
+    let Arguments { model, lobe, limit, objective, ref n, form, over, digits, json, ref data } = *arguments;
+    if let Some(outcome) = data.run(json)? {
+        return Ok(outcome);
+    }
+    let model = model.ok_or_else(|| anyhow!("--model MODEL is needed, or --data FILE"))?;
     if !lobe.limits().contains(&limit) {
         bail!("--limit {}: lobe {} is integrated over its support only", limit.id(), lobe.id());
     }

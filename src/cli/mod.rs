@@ -3,6 +3,7 @@
 mod choose;
 mod emit;
 mod fit;
+mod fit_data;
 mod render;
 mod reproduce;
 mod sample;
@@ -35,6 +36,7 @@ pub enum Outcome {
   bellfit --check                    compare them with what would be generated, write nothing
   bellfit verify my-claims.toml      judge your own claims
   bellfit fit --model blinn-phong    the best linear factor for a model
+  bellfit fit --data samples.csv     lobes for your own measurements, with their uncertainty
   bellfit choose --n 16..256 --max-error 1e-3 --float f32
                                      the cheapest lobe inside a scene's needs
   bellfit sample texture.png --at 10,20 --jacobian 3,1,-1,2

@@ -4,9 +4,12 @@
 //! exchange, a simplex search, and enclosures of the least-squares solution itself ([`fit_case`]). And
 //! every [`FactorForm`] over every real n of a range, for any
 //! [`ScaledIntegral`](crate::integral::ScaledIntegral), to both sides or never above 0 ([`fit_factor`]).
+//!
+//! Lobes themselves are fitted to measured samples in [`measured`].
 
 pub mod bell;
 pub mod clip;
+pub mod measured;
 
 mod band;
 mod certified;

@@ -1,0 +1,273 @@
+//! Files of samples as their user writes them: every error in its row and column, no text that panics, and the program
+//! `bellfit fit --data` itself.
+#![cfg(feature = "toolkit")]
+#![allow(clippy::unwrap_used)] // helpers of tests may panic as tests do
+
+#[path = "support/png_file.rs"]
+mod png_file;
+
+use bellfit::fit::measured::{Comparison, DataError, EXAMPLE_DATA, Family, Samples, Unit, Weighting};
+use bellfit::report::{data_fit_figure, data_fit_json, data_fit_lines};
+use png_file::{folder, png_data};
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use serde_json::Value;
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+fn parse(text: &str) -> Result<Samples, DataError> {
+    Samples::parse(text.as_bytes(), None)
+}
+
+#[test]
+fn errors_name_row_and_column() {
+    let four = "0,1\n5,0.9\n10,0.5\n20,0.1\n";
+    let cases: &[(&str, &str)] = &[
+        ("", "no header: the first row must name the columns, as in theta_deg,value"),
+        ("# nothing\n\n", "no header"),
+        ("0,1\n5,0.9\n", "row 1: \"0,1\" is no header"),
+        (
+            "theta_deg,colour\n",
+            "row 1: unknown column \"colour\"; known are theta_deg, theta_rad, cos_theta or",
+        ),
+        ("theta_deg value\n", "row 1: unknown column \"theta_deg value\""),
+        ("# c\n\ntheta_deg,theta_rad,value\n", "row 3: columns \"theta_deg\" and \"theta_rad\": one of them"),
+        ("theta_deg,value,weight,sigma\n", "row 1: columns \"weight\" and \"sigma\""),
+        ("theta_deg,weight\n", "row 1: no column of the value"),
+        ("value,weight\n", "row 1: no column of the angle"),
+        ("theta,value\n0,1\n", "row 1: column \"theta\" says no unit: name it theta_deg or theta_rad"),
+        ("theta_deg,value\n0,1\n5\n", "row 3: 1 fields under a header of 2"),
+        ("theta_deg,value\n0,1\n5,0.9,7\n", "row 3: 3 fields under a header of 2"),
+        ("theta_deg,value\r\n0,1\r\n\r\n# c\r\n5, \r\n", "row 5, column value: missing"),
+        ("Theta_Deg , \"value\"\n ,1\n", "row 2, column Theta_Deg: missing"),
+        ("theta_deg,value\n0,one\n", "row 2, column value: \"one\" is not a number"),
+        ("theta_deg;value\n0;0,5\n", "row 2, column value: \"0,5\" is not a number; decimals follow a point"),
+        ("theta_deg,value\n0,NaN\n", "row 2, column value: NaN is not finite"),
+        ("theta_deg,value\n-inf,1\n", "row 2, column theta_deg: -inf is not finite"),
+        ("theta_deg,value\n0,1e999\n", "row 2, column value: 1e999 is not finite"),
+        ("theta_deg,value\n0,1e61\n", "row 2, column value: 1e61 is not a value from -1e60 to 1e60"),
+        (
+            "theta_deg,value\n91,1\n",
+            "row 2, column theta_deg: 91 is not degrees from -90 to 90; behind the lobe",
+        ),
+        (
+            "angle_rad,value\n45,1\n",
+            "row 2, column angle_rad: 45 is not radians from -π/2 to π/2; if these are deg",
+        ),
+        (
+            "cos_theta,value\n1,1\n30,1\n",
+            "row 3, column cos_theta: 30 is not a cosine from 0 to 1; if these are an",
+        ),
+        (
+            "cos_theta,value\n-0.5,1\n",
+            "row 2, column cos_theta: -0.5 is not a cosine from 0 to 1; behind the lobe",
+        ),
+        (
+            "one_minus_cos,value\n1.5,1\n",
+            "row 2, column one_minus_cos: 1.5 is not 1 - cos θ from 0 to 1; behind",
+        ),
+        ("theta_deg,value,weight\n0,1,-1\n", "row 2, column weight: -1 is not a weight from 0 to 1e60"),
+        (
+            "theta_deg,value,sigma\n0,1,0\n",
+            "row 2, column sigma: 0 is not a standard deviation from 1e-60 to 1e60",
+        ),
+        ("theta_deg,value\n", "0 samples of positive weight: at least 3 are needed"),
+        ("theta_deg,value\n0,1\n5,1\n", "2 samples of positive weight: at least 3 are needed"),
+        ("theta_deg,value,weight\n0,1,1\n5,1,1\n9,1,0\n", "2 samples of positive weight"),
+        ("theta_deg,value,weight\n0,1,0\n5,1,0\n9,1,0\n", "column weight: every weight is 0"),
+        ("theta_deg,value\n5,1\n-5,2\n5,3\n", "all 3 samples stand at 5 degrees: a width needs"),
+        ("theta_deg,value\n0,0\n5,0\n9,-0\n", "column value: every value is 0"),
+    ];
+    for (text, message) in cases {
+        let error = parse(text).expect_err(text).to_string();
+        assert!(error.starts_with(message), "{text:?}: {error}");
+        assert_eq!(error.lines().count(), 1);
+    }
+    let bytes = [b"theta_deg,value\n0,1\n5,\xff\n" as &[u8], b"\xff\xfet\0h\0"];
+    for (bytes, row) in bytes.into_iter().zip([3, 1]) {
+        assert_eq!(Samples::parse(bytes, None), Err(DataError::NotUtf8 { row }));
+    }
+    let error = Samples::parse(b"theta_deg,value\n0,1\n", Some(Unit::Radians)).unwrap_err();
+    assert_eq!(error.to_string(), "row 1: column \"theta_deg\" says its unit, which is not rad");
+    let samples = Samples::parse(format!("angle,value\n{four}").as_bytes(), Some(Unit::Degrees)).unwrap();
+    assert_eq!(samples, parse(&format!("theta_deg,value\n{four}")).unwrap());
+    let samples = parse("theta_deg,value\n0,1\n5,0.9\n10,0.5\n").unwrap();
+    assert_eq!(Comparison::of(&samples, &[]), Err(DataError::NoFamily));
+}
+
+/// What does not count: columns' order, delimiter, spaces, quotes, a byte order mark, line ends, comments.
+#[test]
+fn one_file_in_many_hands() {
+    let plain = parse("theta_deg,value,sigma\n0,1,0.1\n5,0.9,0.2\n10,0.5,0.1\n").unwrap();
+    let texts = [
+        "\u{feff}theta_deg,value,sigma\r\n0,1,0.1\r\n5,0.9,0.2\r\n10,0.5,0.1",
+        "Value;SIGMA;Theta_Deg\n 1 ; +0.1;0\n.9;2e-1;5\n0.5;0.10;10.\n",
+        "theta_deg\tvalue\tsigma\n\"0\"\t\"1\"\t\"0.1\"\n5\t0.9\t0.2\n10\t0.5\t0.1\n",
+    ];
+    for text in texts {
+        assert_eq!(parse(text).unwrap(), plain, "{text:?}");
+    }
+    let late =
+        parse("# a comment\n\ntheta_deg,value,sigma\n0,1,0.1\n  # between\n5,0.9,0.2\n10,0.5,0.1\n").unwrap();
+    let rows: Vec<usize> = late.all().iter().map(|sample| sample.row).collect();
+    assert_eq!((rows, late.weighting()), (vec![4, 6, 7], Weighting::Sigma));
+}
+
+/// The same cases on every run, and no files of failures.
+fn runner(cases: u32) -> TestRunner {
+    let config = Config { cases, failure_persistence: None, ..Config::default() };
+    TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &[17; 32]))
+}
+
+#[test]
+fn any_bytes_have_an_answer_or_an_error() {
+    let piece = prop_oneof![
+        4 => Just("theta_deg,value\n".to_owned()),
+        1 => Just("cos_theta;value;weight\r\n".to_owned()),
+        6 => "[0-9.,;eE+-]{0,12}\n",
+        2 => "\\PC{0,12}",
+        1 => Just("NaN,inf\n".to_owned()),
+    ];
+    let text = prop::collection::vec(piece, 0..12).prop_map(|pieces| pieces.concat().into_bytes());
+    let bytes = prop_oneof![text, prop::collection::vec(any::<u8>(), 0..200)];
+    let answered = |bytes: Vec<u8>| {
+        let result = Samples::parse(&bytes, None).and_then(|samples| Comparison::of(&samples, &Family::ALL));
+        if let Err(error) = result {
+            prop_assert_eq!(error.to_string().lines().count(), 1);
+        }
+        Ok(())
+    };
+    runner(2000).run(&bytes, answered).unwrap();
+}
+
+/// Samples of any sizes, signs and weights, few or many to an angle: finite numbers, or a reason; and every form of
+/// the answer can be made.
+#[test]
+fn any_samples_have_an_answer_or_an_error() {
+    let size = || prop_oneof![-2.0..2.0, Just(0.0), -1e60..1e60, -1e-60..1e-60, Just(5e-324), Just(1e-200)];
+    let angle =
+        prop_oneof![3 => 0.0..90.0, 1 => Just(0.0), 1 => Just(90.0), 1 => 0.0..1e-6, 1 => -1e-160..1e-160];
+    let weight =
+        prop_oneof![4 => Just(1.0), 1 => Just(0.0), 1 => 0.0..1e60, 1 => 0.0..1e-60, 1 => Just(5e-324)];
+    let rows = prop::collection::vec((angle, size(), weight), 0..40);
+    let weighting = prop_oneof![Just(Weighting::Equal), Just(Weighting::Weight), Just(Weighting::Sigma)];
+    let answered = |(rows, weighting): (Vec<(f64, f64, f64)>, Weighting)| {
+        let Ok(samples) = Samples::new(Unit::Degrees, weighting, &rows) else { return Ok(()) };
+        let Ok(found) = Comparison::of(&samples, &Family::ALL) else { return Ok(()) };
+        prop_assert_eq!(found.estimates.len() + found.failures.len(), Family::ALL.len());
+        for e in &found.estimates {
+            let (from, to) = e.family.exponents();
+            prop_assert!(from <= e.n && e.n <= to && e.scale >= 0.0 && e.scale.is_finite(), "{e}");
+            prop_assert!(!e.family.is_free() || e.shape.falls());
+            prop_assert!(e.rms.is_finite() && e.bic.is_finite() && found.behind(e) >= 0.0, "{e:?}");
+            if let Ok(u) = e.uncertainty {
+                prop_assert!(u.n >= 0.0 && u.n.is_finite() && u.scale.is_finite(), "{e:?}");
+                prop_assert!(u.correlation.abs() <= 1.0 + 1e-9, "{e:?}");
+            }
+        }
+        prop_assert!(data_fit_lines(&samples, &found).contains("best: "));
+        let json: Value = serde_json::from_str(&data_fit_json(&samples, &found).unwrap()).unwrap();
+        prop_assert!(json["families"][0]["n"].is_f64());
+        if let Err(error) = data_fit_figure(&samples, &found).svg() {
+            prop_assert!(false, "{error}");
+        }
+        Ok(())
+    };
+    runner(150).run(&(rows, weighting), answered).unwrap();
+}
+
+fn bellfit(arguments: &[&str], input: &[u8]) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_bellfit"))
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    // It may have refused without reading.
+    let _ = child.stdin.take().expect("a pipe").write_all(input);
+    child.wait_with_output().expect("the program ends")
+}
+
+#[track_caller]
+fn refused(arguments: &[&str], input: &[u8], names: &str) {
+    let output = bellfit(arguments, input);
+    let error = String::from_utf8(output.stderr.clone()).expect("UTF-8");
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {error}");
+    assert_eq!(error.lines().count(), 1, "{arguments:?}: {error}");
+    assert!(error.starts_with("bellfit: ") && error.contains(names), "{arguments:?}: {error}");
+    assert!(output.stdout.is_empty(), "{arguments:?}");
+}
+
+#[test]
+fn the_example_fits_from_a_file_and_from_a_pipe() {
+    let example = bellfit(&["fit", "--data-example"], b"");
+    assert_eq!((example.status.code(), example.stdout.as_slice()), (Some(0), EXAMPLE_DATA.as_bytes()));
+    let file = folder("data_example").join("samples.csv");
+    std::fs::write(&file, &example.stdout).unwrap();
+    let from_file = bellfit(&["fit", "--data", file.to_str().unwrap()], b"");
+    let from_pipe = bellfit(&["fit", "--data", "-"], EXAMPLE_DATA.as_bytes());
+    assert_eq!((from_file.status.code(), &from_file.stdout), (Some(0), &from_pipe.stdout));
+    let text = String::from_utf8(from_file.stdout).unwrap();
+    assert!(text.starts_with("41 samples at 21 angles from 0° to 40°, of equal weight\n"), "{text}");
+    assert!(Family::ALL.iter().all(|family| text.contains(family.id())), "{text}");
+
+    let arguments = ["fit", "--data", "-", "--json", "--family", "cos-n", "--family", "schlick"];
+    let json = bellfit(&arguments, EXAMPLE_DATA.as_bytes());
+    let json: Value = serde_json::from_slice(&json.stdout).unwrap();
+    let best = &json["families"][0];
+    assert_eq!((json["best"].as_str(), json["families"].as_array().unwrap().len()), (Some("cos-n"), 2));
+    let [lo, hi] = [0, 1].map(|i| best["n_interval"][i].as_f64().unwrap());
+    assert!(lo < 60.0 && 60.0 < hi && best["alpha"].is_null());
+    assert_eq!(best["degrees_of_freedom"], 39);
+}
+
+#[test]
+fn wrong_use_is_told_in_a_line() {
+    let folder = folder("data_wrong");
+    let good = folder.join("good.csv");
+    std::fs::write(&good, EXAMPLE_DATA).unwrap();
+    let good = good.to_str().unwrap();
+    let bad = b"theta_deg,value\n0,1\n10,x\n";
+    refused(&["fit", "--data", "-"], bad, "standard input: row 3, column value: \"x\" is not a number");
+    refused(&["fit", "--data", "no-such.csv"], b"", "no-such.csv: ");
+    refused(&["fit", "--data", folder.to_str().unwrap()], b"", "a folder, not a file of samples");
+    refused(&["fit", "--data", good, "--model", "phong"], b"", "cannot be used with");
+    refused(&["fit", "--data", good, "--digits", "4"], b"", "cannot be used with");
+    refused(&["fit", "--data", good, "--family", "bell"], b"", "known are cos-n, cs-16");
+    refused(&["fit", "--data", good, "--unit", "grad"], b"", "known are deg, rad, cos, one-minus-cos");
+    refused(&["fit", "--data", good, "--unit", "rad"], b"", "row 6: column \"theta_deg\" says its unit");
+    refused(&["fit", "--model", "phong", "--plot", "x.svg"], b"", "--data");
+    refused(&["fit"], b"", "--model");
+    // A plot is refused before the fit, and where the samples are refused no plot is left.
+    refused(
+        &["fit", "--data", good, "--plot", "x.gif"],
+        b"",
+        "--plot x.gif: the name must end in .svg or .png",
+    );
+    let plot = folder.join("plot.svg");
+    refused(&["fit", "--data", "-", "--plot", plot.to_str().unwrap()], bad, "row 3");
+    let names: Vec<_> = std::fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    assert_eq!(names, ["good.csv"]);
+}
+
+#[test]
+fn a_plot_is_written_in_the_format_of_its_name() {
+    let folder = folder("data_plot");
+    let write = |name: &str| {
+        let path = folder.join(name);
+        let arguments = ["fit", "--data", "-", "--plot", path.to_str().unwrap()];
+        let output = bellfit(&arguments, EXAMPLE_DATA.as_bytes());
+        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+        std::fs::read(Path::new(&path)).unwrap()
+    };
+    let svg = String::from_utf8(write("plot.svg")).unwrap();
+    assert_eq!(svg.as_bytes(), write("again.SVG"));
+    for text in ["degrees", "samples", "sample − lobe", "cos-n", "schlick", "spherical-gaussian", "cs-16"] {
+        assert!(svg.contains(text), "{text}");
+    }
+    let (width, height, _) = png_data(&write("plot.png"));
+    assert!(width == 1600 && height > 1000, "{width} × {height}");
+    assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 3); // nothing is left beside
+}
