@@ -1,6 +1,6 @@
 //! The report's first page: what it is about, and how its verdicts read.
 
-/// The title, what the kernels are, what was claimed, and what each verdict means.
+/// The title, what the kernels are and what was claimed.
 pub(super) const INTRODUCTION: &str = "\
 # The lobe and the pixel paper, verified
 
@@ -16,7 +16,10 @@ inside with such a bell. Both state numbers. This report says which of them are 
 
 Everything below is computed by `bellfit`, which integrates, fits and proves; each number stands with all its digits in the \
 file that is linked below it, beside the command that remakes it.
+";
 
+/// What each verdict means, and the words that recur.
+pub(super) const READING: &str = "
 ## How to read the verdicts
 
 Signs are lost in print and few digits are printed, so a claim may have several *readings*: each is judged by itself. \"= 1.7e-2\" \

@@ -9,7 +9,7 @@ use super::figures::Figure;
 use super::filter_section;
 use super::index;
 use super::instead;
-use super::introduction::INTRODUCTION;
+use super::introduction::{INTRODUCTION, READING};
 use super::measured::Measured;
 use super::plots::Plots;
 use super::source::source;
@@ -23,12 +23,16 @@ use std::fmt::Write;
 pub(super) fn report(study: &Study, figures: &[Figure], measured: &Measured, paths: &[&str]) -> String {
     let plots = Plots::new(figures, &study.claims);
     let mut text = String::from(INTRODUCTION);
-    text.push_str("\n## The verdicts in short\n");
+    text.push_str(
+        "\n## The verdicts in short\n\nWhat each word means stands [below](#how-to-read-the-verdicts); each claim leads to its readings, \
+         proof, witness and plot.\n",
+    );
     digest::section(study, &mut text);
     instead::section(study, &mut text);
     let _ = write!(text, "\n### Is cr_n ≈ √(6/n)?\n\n{}", cut::answer(study));
     text.push_str(&source(&["reports/verdicts.csv"]));
     text.push_str("\nWhat either does to the integrals stands in [a table](#what-each-limit-keeps).\n");
+    text.push_str(READING);
     claim_section::sections(study, &plots, &mut text);
     table_section::section(study, &plots, &mut text);
     better::sections(study, &plots, &mut text);

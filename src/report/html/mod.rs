@@ -8,6 +8,7 @@ mod chip;
 mod contents;
 mod drawing;
 mod figure;
+mod number;
 mod page;
 mod picture;
 mod style;

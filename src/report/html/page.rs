@@ -4,6 +4,7 @@ use super::block::{Block, blocks, text};
 use super::chip::chips;
 use super::contents::{Entry, list};
 use super::figure::{escaped, figure};
+use super::number::whole;
 use super::picture::Pictures;
 use super::style::style;
 use crate::report::anchor::Anchors;
@@ -45,7 +46,7 @@ pub(in crate::report) fn page(markdown: &str, pictures: &Pictures<'_>) -> String
                 ));
             }
             Block::Raw(tags) => main.push_str(&folds(&tags)),
-            Block::Other(events) => main.push_str(&html(events)),
+            Block::Other(events) => main.push_str(&html_of(whole(own_tags_only(events)))),
         }
     }
     let (style, contents) = (style(), list(&entries));
@@ -60,13 +61,21 @@ pub(in crate::report) fn page(markdown: &str, pictures: &Pictures<'_>) -> String
 }
 
 fn html(events: Vec<Event<'_>>) -> String {
-    let mut html = String::new();
-    // No tag but our own: whatever else the Markdown holds is shown as text.
-    let events = events.into_iter().map(|event| match event {
+    html_of(own_tags_only(events))
+}
+
+/// No tag but our own: whatever else the Markdown holds is shown as text.
+fn own_tags_only(events: Vec<Event<'_>>) -> Vec<Event<'_>> {
+    let shown = |event| match event {
         Event::InlineHtml(tag) | Event::Html(tag) => Event::Text(tag),
         event => event,
-    });
-    push_html(&mut html, chips(events.collect()).into_iter());
+    };
+    events.into_iter().map(shown).collect()
+}
+
+fn html_of(events: Vec<Event<'_>>) -> String {
+    let mut html = String::new();
+    push_html(&mut html, chips(events).into_iter());
     html
 }
 
