@@ -51,9 +51,12 @@ impl LobeIntegral {
     /// let [one, minus] = ["1", "-1"].map(|text| decimal(text).expect("a decimal").0);
     /// let bell = PolynomialBell::new(&[one, minus], 8)?;
     /// let integral = LobeIntegral::of_polynomial("mine", bell, Model::Phong).expect("a low degree");
-    /// // (1 - t/8)^8: 8/9 on its support, less up to √(6/n).
+    /// // (1 - t/8)^8: 8/9 on its support, 8/9 (1 - (1 - t/8)^9) up to t = n (1 - cos √(6/n)).
     /// assert!((integral.scaled(&(1.0 / 64.0)) - 8.0 / 9.0).abs() < 1e-14);
-    /// assert!(integral.at_limit(Limit::Card).scaled(&(1.0 / 64.0)) < 0.98 * 8.0 / 9.0);
+    /// let t = 64.0 * (1.0 - (6.0_f64 / 64.0).sqrt().cos());
+    /// let beyond = (1.0 - t / 8.0).powi(9);
+    /// let found = integral.at_limit(Limit::Card).scaled(&(1.0 / 64.0));
+    /// assert!((found - 8.0 / 9.0 * (1.0 - beyond)).abs() < 1e-13);
     /// # Ok::<(), bellfit::bound::PolynomialBellError>(())
     /// ```
     pub fn of_polynomial(name: &str, bell: PolynomialBell, model: Model) -> Option<Self> {
