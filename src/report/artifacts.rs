@@ -64,21 +64,27 @@ impl Artifacts {
     pub fn generate(study: &Study, measured: &Measured) -> Result<Self, ArtifactError> {
         let mut files = BTreeMap::new();
         for model in Model::ALL {
-            files.insert(format!("fits/integrals/{}.csv", model.id()), tables::integrals(study, model)?);
+            files.insert(
+                format!("fits/integrals/{}.csv", model.id()),
+                tables::integrals(&study.integrals, model)?,
+            );
         }
-        files.insert("fits/coefficients.csv".to_owned(), tables::coefficients(study)?);
-        files.insert("fits/nearest.csv".to_owned(), tables::nearest(study)?);
-        files.insert("fits/suprema.csv".to_owned(), tables::suprema(study)?);
+        files.insert(
+            "fits/coefficients.csv".to_owned(),
+            tables::coefficients(&study.integrals, &study.printed, &study.fits)?,
+        );
+        files.insert("fits/nearest.csv".to_owned(), tables::nearest(&study.nearest)?);
+        files.insert("fits/suprema.csv".to_owned(), tables::suprema(&study.suprema)?);
         let factors = study.factors.iter().chain(&study.cubic_factors);
         files.insert("fits/factors.csv".to_owned(), factor_table::factors_csv(factors)?);
         files.insert("fits/kernels.csv".to_owned(), kernel_table::exponential(&study.exponential)?);
         files.insert("fits/kernels-cosn.csv".to_owned(), kernel_table::cosine(&study.cosine)?);
         files.insert("fits/albedo.csv".to_owned(), albedo_table::albedo_csv(&study.albedos)?);
         files.insert("fits/albedo-suprema.csv".to_owned(), albedo_table::albedo_suprema_csv(&study.albedos)?);
-        files.insert("fits/clip.csv".to_owned(), pixel::clip_csv(&study.pixel)?);
+        files.insert("fits/clip.csv".to_owned(), pixel::clip_csv(&study.pixel.clip)?);
         files.insert("fits/footprint.csv".to_owned(), pixel::footprint_csv()?);
-        files.insert("fits/weights.csv".to_owned(), pixel::texels_csv(&study.pixel)?);
-        files.insert("fits/pixel-weights.csv".to_owned(), pixel::weights_csv(&study.pixel)?);
+        files.insert("fits/weights.csv".to_owned(), pixel::texels_csv(&study.pixel.texels)?);
+        files.insert("fits/pixel-weights.csv".to_owned(), pixel::weights_csv(&study.pixel.weights)?);
         files.insert("fits/table1.csv".to_owned(), table_one::csv(study)?);
         files.insert("fits/filter.csv".to_owned(), filter_table::filter_csv(&study.filters)?);
         files.insert("fits/stability.csv".to_owned(), stability_table::lobes(&study.stability)?);
@@ -92,8 +98,14 @@ impl Artifacts {
         }
         files.insert("reports/table1.md".to_owned(), table_one::markdown(study).into_bytes());
         files.insert("reports/table1.tex".to_owned(), table_one::latex(study).into_bytes());
-        files.insert("reports/verdicts.csv".to_owned(), tables::verdicts_csv(study)?);
-        files.insert("reports/verdicts.json".to_owned(), tables::verdicts_json(study)?);
+        files.insert(
+            "reports/verdicts.csv".to_owned(),
+            tables::verdicts_csv(&study.judgements, &study.expectations)?,
+        );
+        files.insert(
+            "reports/verdicts.json".to_owned(),
+            tables::verdicts_json(&study.judgements, &study.expectations)?,
+        );
         let mut figures = figures::figures(&residual_lines(study))?;
         figures.extend(figures::better(Better {
             factors: &study.factors,

@@ -59,19 +59,12 @@ impl Computed {
         let printed = printed_factors(claims);
         let nearest = nearest_rows(&printed)?;
         let suprema = clock.time("suprema", suprema);
-        let factors = clock.time("factors of cs_16", || -> Result<_, StudyError> {
-            let cases = Model::ALL.map(|model| case(model, Lobe::Cs16, Limit::Support));
-            let mut rows = Vec::new();
-            for (from, to) in RANGES {
-                rows.extend(factor_rows(&cases, Reals::new(from, to)?)?);
-            }
-            Ok(rows)
-        })?;
+        let factors = clock.time("factors of cs_16", factors)?;
         Ok(Computed { integrals, fits, printed, nearest, suprema, factors })
     }
 }
 
-fn tables_and_lines() -> Result<(Vec<IntegralTable>, Vec<FitRow>), StudyError> {
+pub(super) fn tables_and_lines() -> Result<(Vec<IntegralTable>, Vec<FitRow>), StudyError> {
     let (from, to) = RANGE;
     let (mut integrals, mut fits) = (Vec::new(), Vec::new());
     for case in Case::all() {
@@ -85,6 +78,16 @@ fn tables_and_lines() -> Result<(Vec<IntegralTable>, Vec<FitRow>), StudyError> {
         }
     }
     Ok((integrals, fits))
+}
+
+/// The factors of cs_16 over every range.
+pub(super) fn factors() -> Result<Vec<FactorRow>, StudyError> {
+    let cases = Model::ALL.map(|model| case(model, Lobe::Cs16, Limit::Support));
+    let mut rows = Vec::new();
+    for (from, to) in RANGES {
+        rows.extend(factor_rows(&cases, Reals::new(from, to)?)?);
+    }
+    Ok(rows)
 }
 
 /// Better bells, their factors, and the albedo of all.
@@ -125,7 +128,7 @@ pub(super) fn cubic_name(power: u32) -> String {
 }
 
 /// One-sided factors of the cubic bells for every real n from 16 on.
-fn cubic_factors(bells: &[CosineBell]) -> Result<Vec<FactorRow>, StudyError> {
+pub(super) fn cubic_factors(bells: &[CosineBell]) -> Result<Vec<FactorRow>, StudyError> {
     let mut rows = Vec::new();
     for bell in bells.iter().filter(|bell| bell.shape == Shape::Cubic) {
         for model in Model::ALL {
@@ -139,7 +142,7 @@ fn cubic_factors(bells: &[CosineBell]) -> Result<Vec<FactorRow>, StudyError> {
     Ok(rows)
 }
 
-fn printed_factors(claims: &ClaimsFile) -> Vec<PrintedFactor> {
+pub(super) fn printed_factors(claims: &ClaimsFile) -> Vec<PrintedFactor> {
     let mut found: Vec<PrintedFactor> = Vec::new();
     for claim in &claims.claims {
         for reading in &claim.readings {
@@ -164,7 +167,7 @@ fn printed_factors(claims: &ClaimsFile) -> Vec<PrintedFactor> {
 }
 
 /// For every printed factor that breaks its printed bound, where the limit is not the misread one.
-fn nearest_rows(printed: &[PrintedFactor]) -> Result<Vec<NearestRow>, FitError> {
+pub(super) fn nearest_rows(printed: &[PrintedFactor]) -> Result<Vec<NearestRow>, FitError> {
     let mut rows = Vec::new();
     for factor in printed {
         let Some(bound) = &factor.bound else { continue };

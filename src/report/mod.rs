@@ -37,6 +37,8 @@ mod own_claims;
 mod pixel;
 mod plots;
 mod readme;
+#[cfg(test)]
+mod regeneration;
 mod sample;
 mod source;
 mod stability_section;

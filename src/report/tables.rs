@@ -1,11 +1,11 @@
 //! The CSV and JSON tables.
 
 use super::artifacts::ArtifactError;
-use super::study::{NearestRow, PrintedFactor, Study};
+use super::study::{NearestRow, PrintedFactor, SupremumRow};
 use crate::bound::{Extremes, IntegralTable};
 use crate::fit::FitRow;
 use crate::kernel::model::Model;
-use crate::verdict::Judgement;
+use crate::verdict::{Expectations, Judgement};
 use serde::Serialize;
 
 /// Rows as CSV with a header.
@@ -31,8 +31,8 @@ struct IntegralLine {
 }
 
 /// `fits/integrals/<model>.csv`.
-pub(super) fn integrals(study: &Study, model: Model) -> Result<Vec<u8>, ArtifactError> {
-    let tables = study.integrals.iter().filter(|table| table.case.model == model);
+pub(super) fn integrals(tables: &[IntegralTable], model: Model) -> Result<Vec<u8>, ArtifactError> {
+    let tables = tables.iter().filter(|table| table.case.model == model);
     let rows = tables.flat_map(|IntegralTable { case, rows }| {
         rows.iter().map(move |row| IntegralLine {
             model: case.model.id(),
@@ -117,10 +117,14 @@ impl<'a> CoefficientLine<'a> {
 }
 
 /// `fits/coefficients.csv`: for each case the printed readings, then the fits.
-pub(super) fn coefficients(study: &Study) -> Result<Vec<u8>, ArtifactError> {
-    let rows = study.integrals.iter().flat_map(|table| {
-        let printed = study.printed.iter().filter(|p| p.case == table.case).map(CoefficientLine::printed);
-        let fitted = study.fits.iter().filter(|row| row.case == table.case).map(CoefficientLine::fitted);
+pub(super) fn coefficients(
+    integrals: &[IntegralTable],
+    printed: &[PrintedFactor],
+    fits: &[FitRow],
+) -> Result<Vec<u8>, ArtifactError> {
+    let rows = integrals.iter().flat_map(|table| {
+        let printed = printed.iter().filter(|p| p.case == table.case).map(CoefficientLine::printed);
+        let fitted = fits.iter().filter(|row| row.case == table.case).map(CoefficientLine::fitted);
         printed.chain(fitted)
     });
     csv_bytes(rows)
@@ -146,8 +150,8 @@ struct NearestLine<'a> {
 
 /// `fits/nearest.csv`: what a printed factor that breaks its bound should have been; the nearest
 /// fields are empty where changing printed digits does not help.
-pub(super) fn nearest(study: &Study) -> Result<Vec<u8>, ArtifactError> {
-    let rows = study.nearest.iter().map(|NearestRow { printed, nearest }| {
+pub(super) fn nearest(rows: &[NearestRow]) -> Result<Vec<u8>, ArtifactError> {
+    let rows = rows.iter().map(|NearestRow { printed, nearest }| {
         let worst = printed.integers.magnitude();
         let mended = nearest.as_ref().map(|n| n.extremes.magnitude());
         NearestLine {
@@ -181,8 +185,8 @@ struct SupremumLine<'a> {
 }
 
 /// `fits/suprema.csv`.
-pub(super) fn suprema(study: &Study) -> Result<Vec<u8>, ArtifactError> {
-    csv_bytes(study.suprema.iter().map(|row| SupremumLine {
+pub(super) fn suprema(rows: &[SupremumRow]) -> Result<Vec<u8>, ArtifactError> {
+    csv_bytes(rows.iter().map(|row| SupremumLine {
         function: &row.function,
         parameter: &row.parameter,
         lo: row.value.lo(),
@@ -210,7 +214,7 @@ struct VerdictLine<'a> {
 
 fn verdict_lines<'a>(
     judgements: &'a [Judgement],
-    expected: impl Fn(&Judgement) -> Option<&'static str> + 'a,
+    expected: &'a Expectations,
 ) -> impl Iterator<Item = VerdictLine<'a>> {
     judgements.iter().map(move |j| VerdictLine {
         claim: &j.claim,
@@ -222,19 +226,25 @@ fn verdict_lines<'a>(
         computed_hi: j.computed.map(|c| c.hi()).filter(|x| x.is_finite()),
         evidence: j.evidence.map(|e| e.id()),
         verdict: j.verdict.id(),
-        expected: expected(j),
+        expected: expected.of(j).map(|e| e.verdict.id()),
         witness: &j.witness,
     })
 }
 
 /// `reports/verdicts.csv`.
-pub(super) fn verdicts_csv(study: &Study) -> Result<Vec<u8>, ArtifactError> {
-    csv_bytes(verdict_lines(&study.judgements, |j| study.expectations.of(j).map(|e| e.verdict.id())))
+pub(super) fn verdicts_csv(
+    judgements: &[Judgement],
+    expected: &Expectations,
+) -> Result<Vec<u8>, ArtifactError> {
+    csv_bytes(verdict_lines(judgements, expected))
 }
 
 /// `reports/verdicts.json`.
-pub(super) fn verdicts_json(study: &Study) -> Result<Vec<u8>, ArtifactError> {
-    json(verdict_lines(&study.judgements, |j| study.expectations.of(j).map(|e| e.verdict.id())))
+pub(super) fn verdicts_json(
+    judgements: &[Judgement],
+    expected: &Expectations,
+) -> Result<Vec<u8>, ArtifactError> {
+    json(verdict_lines(judgements, expected))
 }
 
 fn json<'a>(lines: impl Iterator<Item = VerdictLine<'a>>) -> Result<Vec<u8>, ArtifactError> {

@@ -1,8 +1,8 @@
 //! `fits/clip.csv`, `fits/footprint.csv`, `fits/weights.csv`, `fits/pixel-weights.csv`.
 
-use super::PixelStudy;
 use super::footprint::footprint_rows;
-use crate::fit::weight_name;
+use crate::fit::clip::ClipRow;
+use crate::fit::{TexelWeight, WeightRow, weight_name};
 use crate::report::artifacts::ArtifactError;
 use crate::report::tables::csv_bytes;
 use crate::verdict::Evidence;
@@ -31,8 +31,8 @@ const EVIDENCE: &str = Evidence::Certified.id();
 
 /// `fits/clip.csv`; `constant` is `free`, `half` or, where nothing was fitted, empty. `evidence` is that of
 /// `max_error`; a best σ is an estimate always.
-pub(in crate::report) fn clip_csv(study: &PixelStudy) -> Result<Vec<u8>, ArtifactError> {
-    csv_bytes(study.clip.iter().map(|row| {
+pub(in crate::report) fn clip_csv(rows: &[ClipRow]) -> Result<Vec<u8>, ArtifactError> {
+    csv_bytes(rows.iter().map(|row| {
         let [p0, p1, p2, p3] = row.coefficients;
         ClipLine {
             target: row.target.id(),
@@ -94,8 +94,8 @@ struct TexelLine {
 
 /// `fits/weights.csv`: the texels inside the ellipse of the paper's figure; `share` is the weight by their
 /// sum.
-pub(in crate::report) fn texels_csv(study: &PixelStudy) -> Result<Vec<u8>, ArtifactError> {
-    csv_bytes(study.texels.iter().map(|row| TexelLine {
+pub(in crate::report) fn texels_csv(rows: &[TexelWeight]) -> Result<Vec<u8>, ArtifactError> {
+    csv_bytes(rows.iter().map(|row| TexelLine {
         weight: weight_name(row.weight),
         u: row.u,
         v: row.v,
@@ -120,8 +120,8 @@ struct WeightLine<'a> {
 
 /// `fits/pixel-weights.csv`: errors against e^(-9Q/2) by their upper ends; `volume_ratio` is over the plane,
 /// by closed form or a quadrature that is exact up to rounding.
-pub(in crate::report) fn weights_csv(study: &PixelStudy) -> Result<Vec<u8>, ArtifactError> {
-    csv_bytes(study.weights.iter().map(|row| WeightLine {
+pub(in crate::report) fn weights_csv(rows: &[WeightRow]) -> Result<Vec<u8>, ArtifactError> {
+    csv_bytes(rows.iter().map(|row| WeightLine {
         weight: &row.name,
         max_error_plane: row.plane.value,
         q_plane: row.plane.q,
