@@ -34,6 +34,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome> {
     if root.exists() && !root.is_dir() {
         bail!("{}: not a folder", root.display());
     }
+    if !arguments.check {
+        Artifacts::try_folder(root)?;
+    }
     let start = Instant::now();
     let watched = std::io::stderr().is_terminal();
     let stages = Mutex::new(Vec::new());

@@ -196,6 +196,18 @@ impl Artifacts {
         self.files.iter().filter_map(differs).collect()
     }
 
+    /// Makes the folder `root` if it is missing, and a file in it that goes again: before a long computation
+    /// whose result could not be written.
+    ///
+    /// # Errors
+    /// [`ArtifactError::File`].
+    pub fn try_folder(root: &Path) -> Result<(), ArtifactError> {
+        let probe = root.join(".bellfit.tmp");
+        std::fs::create_dir_all(root).map_err(|e| file_error(root, &e))?;
+        std::fs::write(&probe, b"").map_err(|e| file_error(root, &e))?;
+        std::fs::remove_file(&probe).map_err(|e| file_error(&probe, &e))
+    }
+
     /// Writes every file that is not already as it should be: first all of them beside their places,
     /// then, when nothing can be missing any more, into them.
     ///

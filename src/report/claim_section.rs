@@ -43,7 +43,8 @@ fn claim(summary: &Summary<'_>, plots: &Plots<'_>, text: &mut String) {
             [one] if count == 1 => format!("Witness: {}.", prose(&one.witness)),
             _ => format!("{}.", prose(&readings(group))),
         };
-        let _ = writeln!(text, "- **{verdict}**: {reason}.{computed} *{rest}*");
+        let how = if group.vacuous { " vacuously" } else { "" };
+        let _ = writeln!(text, "- **{verdict}**{how}: {reason}.{computed} *{rest}*");
     }
     text.push_str(&source(&FILES));
     text.push_str(&plots.of_claim(id));
@@ -104,13 +105,15 @@ fn every_reading(groups: &[Group<'_>], count: usize, text: &mut String) {
         "\n<details>\n<summary>All {count} readings, computed, with witness</summary>\n\n\
          | reading | verdict | printed | computed | evidence | witness |\n|---|---|---|---|---|---|\n"
     );
-    for judgement in groups.iter().flat_map(|group| &group.members) {
+    let members = groups.iter().flat_map(|group| group.members.iter().map(move |m| (group.vacuous, m)));
+    for (vacuous, judgement) in members {
         let Judgement { reading, verdict, printed, computed, evidence, witness, .. } = judgement;
         let _ = writeln!(
             text,
-            "| {} | **{}** | {} | {} | {} | {} |",
+            "| {} | **{}**{} | {} | {} | {} | {} |",
             prose_cell(reading),
             verdict.id(),
+            if vacuous { " vacuously" } else { "" },
             prose_cell(printed),
             computed.map(enclosure).unwrap_or_default(),
             evidence.map_or("", |evidence| evidence.id()),

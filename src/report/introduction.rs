@@ -32,8 +32,8 @@ arithmetic shows it; over everything that the row says, such as every real n fro
 - **definition**: a convention or a figure; nothing to judge, so it is only computed again.
 
 Of a claim as a whole it is said that it **holds**, that it **does not hold**, or that it **holds under 2 of 6 readings**: two \
-ways to read the print make it true, four do not. *But vacuously* means that the readings that hold say nothing: a negative number is \
-less than any bound.
+ways to read the print make it true, four do not. What holds *vacuously* says nothing, as a negative number is less than any bound, \
+and is counted apart; readings that are definitions are not counted.
 
 Words that recur: *residual*, how much light is gained (above 0) or lost by a factor, 2π coef(n) Int(n) - 1; *support*, \
 where a bell is not 0; *RDF*, *NDF* and *heightfield*, whether the lobe is the reflection itself or the distribution of a rough surface's normals, and how it \

@@ -37,7 +37,10 @@ impl Summary<'_> {
             (_, 0, 0) => "holds".to_owned(),
             (0, _, 0) => "does not hold".to_owned(),
             (_, _, 0) if proved == vacuous => "does not hold but vacuously".to_owned(),
-            (_, _, 0) => format!("holds under {} of {} readings", proved - vacuous, proved + refuted),
+            (_, _, 0) => {
+                let more = if vacuous == 0 { String::new() } else { format!(", {vacuous} more vacuously") };
+                format!("holds under {} of {} readings{more}", proved - vacuous, proved + refuted)
+            }
             _ => format!("{undecided} readings undecided"),
         }
     }

@@ -61,7 +61,26 @@ impl Judge {
     }
 }
 
-/// n in the fewest digits that tell it: whole numbers as they are.
+/// n where an extreme was found: one of few decimals as it is, for it is an end of the range, any other in
+/// three digits, since where a smooth extreme lies is known to the root only of how well its value is.
 pub(super) fn exponent(n: f64) -> String {
-    if n == libm::floor(n) { format!("{n}") } else { format!("{n:.2}") }
+    let text = n.to_string();
+    match text.split_once('.') {
+        Some((_, decimals)) if decimals.len() > 2 => format!("{n:.*}", usize::from(n < 100.0)),
+        _ => text,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ends_of_a_range_stand_as_they_are_and_found_places_in_three_digits() {
+        for (n, text) in
+            [(16.0, "16"), (2.25, "2.25"), (32.271_33, "32.3"), (207.391, "207"), (1024.5, "1024.5")]
+        {
+            assert_eq!(exponent(n), text);
+        }
+    }
 }
