@@ -1,9 +1,9 @@
 //! `bellfit trade`.
 
 use super::{Outcome, print};
-use crate::report::{trade_files, trade_lines};
+use crate::report::{Artifacts, trade_files, trade_lines};
 use crate::trade::{EXPONENTS, Plan, measure};
-use anyhow::{Context, Result, bail};
+use anyhow::{Result, bail};
 use clap::Args;
 use std::io::IsTerminal;
 use std::path::PathBuf;
@@ -39,8 +39,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome> {
         if out.exists() && !out.is_dir() {
             bail!("{}: not a folder", out.display());
         }
-        // Told before half a minute is spent.
-        std::fs::create_dir_all(out).with_context(|| out.display().to_string())?;
+        Artifacts::try_folder(out)?;
     }
     let watched = std::io::stderr().is_terminal();
     let start = Instant::now();
