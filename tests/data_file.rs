@@ -7,7 +7,7 @@
 mod png_file;
 
 use bellfit::fit::measured::{Comparison, DataError, EXAMPLE_DATA, Family, Samples, Unit, Weighting};
-use bellfit::report::{data_fit_figure, data_fit_json, data_fit_lines};
+use bellfit::report::{DATA_FIT_FIELDS, data_fit_figure, data_fit_json, data_fit_lines};
 use png_file::{folder, png_data};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
@@ -72,8 +72,15 @@ fn errors_name_row_and_column() {
             "theta_deg,value,sigma\n0,1,0\n",
             "row 2, column sigma: 0 is not a standard deviation from 1e-60 to 1e60",
         ),
-        ("theta_deg,value\n", "0 samples of positive weight: at least 3 are needed"),
-        ("theta_deg,value\n0,1\n5,1\n", "2 samples of positive weight: at least 3 are needed"),
+        (
+            "theta_deg,value\n0,1\n\"0,5\",\"1,0\"\n",
+            "row 3: 4 fields under a header of 2; a comma inside quotes divides too: decimals follow a point",
+        ),
+        ("theta_deg,value\r0,1\r5,x\r", "row 3, column value: \"x\" is not a number"),
+        ("theta_deg,,value\n", "row 1: unknown column \"\""),
+        ("theta_deg,value,\n0,1,2\n", "row 2: 3 fields under a header of 2"),
+        ("theta_deg,value\n", "0 samples: at least 3 are needed"),
+        ("theta_deg,value\n0,1\n5,1\n", "2 samples: at least 3 are needed"),
         ("theta_deg,value,weight\n0,1,1\n5,1,1\n9,1,0\n", "2 samples of positive weight"),
         ("theta_deg,value,weight\n0,1,0\n5,1,0\n9,1,0\n", "column weight: every weight is 0"),
         ("theta_deg,value\n5,1\n-5,2\n5,3\n", "all 3 samples stand at 5 degrees: a width needs"),
@@ -84,8 +91,8 @@ fn errors_name_row_and_column() {
         assert!(error.starts_with(message), "{text:?}: {error}");
         assert_eq!(error.lines().count(), 1);
     }
-    let bytes = [b"theta_deg,value\n0,1\n5,\xff\n" as &[u8], b"\xff\xfet\0h\0"];
-    for (bytes, row) in bytes.into_iter().zip([3, 1]) {
+    let bytes = [b"theta_deg,value\n0,1\n5,\xff\n" as &[u8], b"\xff\xfet\0h\0", b"theta_deg,value\r0,\xff\r"];
+    for (bytes, row) in bytes.into_iter().zip([3, 1, 2]) {
         assert_eq!(Samples::parse(bytes, None), Err(DataError::NotUtf8 { row }));
     }
     let error = Samples::parse(b"theta_deg,value\n0,1\n", Some(Unit::Radians)).unwrap_err();
@@ -103,6 +110,8 @@ fn one_file_in_many_hands() {
     let texts = [
         "\u{feff}theta_deg,value,sigma\r\n0,1,0.1\r\n5,0.9,0.2\r\n10,0.5,0.1",
         "Value;SIGMA;Theta_Deg\n 1 ; +0.1;0\n.9;2e-1;5\n0.5;0.10;10.\n",
+        "theta_deg,value,sigma\r0,1,0.1\r5,0.9,0.2\r10,0.5,0.1\r",
+        "theta_deg,value,sigma,\n0,1,0.1,\n5,0.9,0.2,\n10,0.5,0.1\n",
         "theta_deg\tvalue\tsigma\n\"0\"\t\"1\"\t\"0.1\"\n5\t0.9\t0.2\n10\t0.5\t0.1\n",
     ];
     for text in texts {
@@ -164,6 +173,11 @@ fn any_samples_have_an_answer_or_an_error() {
             if let Ok(u) = e.uncertainty {
                 prop_assert!(u.n >= 0.0 && u.n.is_finite() && u.scale.is_finite(), "{e:?}");
                 prop_assert!(u.correlation.abs() <= 1.0 + 1e-9, "{e:?}");
+                let (lo, hi) = e.n_interval().unwrap_or((f64::NAN, f64::NAN));
+                prop_assert!(0.0 <= lo && lo <= e.n && e.n <= hi && hi.is_finite(), "{e:?}");
+            }
+            if let Some(goodness) = e.goodness {
+                prop_assert!((goodness.below + goodness.above - 1.0).abs() < 1e-9, "{e:?}");
             }
         }
         prop_assert!(data_fit_lines(&samples, &found).contains("best: "));
@@ -221,6 +235,7 @@ fn the_example_fits_from_a_file_and_from_a_pipe() {
     let [lo, hi] = [0, 1].map(|i| best["n_interval"][i].as_f64().unwrap());
     assert!(lo < 60.0 && 60.0 < hi && best["alpha"].is_null());
     assert_eq!(best["degrees_of_freedom"], 39);
+    assert_eq!((json["version"].as_u64(), &json["told_apart"]), (Some(1), &Value::Bool(true)));
 }
 
 #[test]
@@ -246,10 +261,176 @@ fn wrong_use_is_told_in_a_line() {
         b"",
         "--plot x.gif: the name must end in .svg or .png",
     );
+    // Where it cannot stand, its own name is told.
+    refused(&["fit", "--data", good, "--plot", &format!("{good}/x.svg")], b"", "--plot ");
+    let place = folder.join("taken.svg.tmp");
+    std::fs::create_dir(&place).unwrap();
+    let taken = folder.join("taken.svg");
+    let taken = taken.to_str().unwrap();
+    refused(&["fit", "--data", good, "--plot", taken], b"", &format!("--plot {taken}: "));
+    std::fs::remove_dir(&place).unwrap();
     let plot = folder.join("plot.svg");
     refused(&["fit", "--data", "-", "--plot", plot.to_str().unwrap()], bad, "row 3");
     let names: Vec<_> = std::fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name()).collect();
     assert_eq!(names, ["good.csv"]);
+}
+
+/// What `bellfit fit --data` prints of a file.
+fn answer(text: &str, more: &[&str]) -> String {
+    let arguments = [&["fit", "--data", "-"], more].concat();
+    let output = bellfit(&arguments, text.as_bytes());
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// The example with a sigma beside each value.
+fn with_sigma(sigma: &str) -> String {
+    let rows = EXAMPLE_DATA.lines().filter(|line| !line.starts_with('#'));
+    let row = |(i, line): (usize, &str)| format!("{line},{}\n", if i == 0 { "sigma" } else { sigma });
+    rows.enumerate().map(row).collect()
+}
+
+#[test]
+fn sigmas_are_held_against_the_residuals() {
+    // The example's noise is of 0.01.
+    let good = answer(&with_sigma("0.01"), &[]);
+    assert!(good.contains("χ²/(N - p)") && !good.contains("warning"), "{good}");
+    assert!(!answer(EXAMPLE_DATA, &[]).contains("χ²/(N - p)"));
+    let small = answer(&with_sigma("0.001"), &[]);
+    let warning = small.lines().find(|line| line.starts_with("warning: ")).expect(&small);
+    assert!(warning.contains("larger than the sigmas") && warning.contains("N - p = "), "{warning}");
+    assert!(!small.contains("told apart from the others"), "{small}");
+    let large = answer(&with_sigma("0.1"), &[]);
+    assert!(large.contains("smaller than the sigmas") && large.contains("sigmas are too large"), "{large}");
+
+    let json: Value = serde_json::from_str(&answer(&with_sigma("0.001"), &["--json"])).unwrap();
+    let best = &json["families"][0];
+    let [chi_square, reduced, above] =
+        ["chi_square", "reduced_chi_square", "p_above"].map(|field| best[field].as_f64().unwrap());
+    let freedom = best["degrees_of_freedom"].as_f64().unwrap();
+    assert!((reduced * freedom / chi_square - 1.0).abs() < 1e-15 && above < 1e-99);
+    assert_eq!(json["told_apart"], false);
+    assert!(
+        json["doubts"].as_array().unwrap().iter().any(|doubt| doubt.as_str().unwrap().contains("sigmas"))
+    );
+}
+
+#[test]
+fn an_answer_says_what_it_is_not() {
+    let few = "theta_deg,value\n0,0.8\n5,0.62\n10,0.33\n15,0.11\n";
+    let text = answer(few, &["--family", "cos-n", "--family", "schlick"]);
+    assert!(text.contains("not a final answer: N - p is 2, and up to 5 BIC"), "{text}");
+    assert!(!text.contains("told apart from the others"), "{text}");
+    assert!(text.contains("misfit: not looked for, 4 angles being fewer than 20"), "{text}");
+    let row = text.lines().find(|line| line.starts_with("cos-n")).unwrap();
+    assert!(row.ends_with(" -"), "{row}");
+    assert!(!answer(EXAMPLE_DATA, &[]).contains("not looked for"));
+
+    // A value that rises away from the axis, and one whose width no bell has.
+    let rising: String = (0..30).map(|i| format!("{i},{}\n", 1.0 + 0.001 * f64::from(i))).collect();
+    let rising = format!("theta_deg,value\n{rising}");
+    let text = answer(&rising, &["--family", "cos-n", "--family", "cubic-4"]);
+    let end = "n stands at the end 0.1 of the range searched";
+    assert!(text.lines().any(|line| line.starts_with("best: cos-n") && line.contains(end)), "{text}");
+    assert!(!text.contains("told apart from the others") && text.contains(&format!("// not final: {end}\n")));
+    let json: Value = serde_json::from_str(&answer(&rising, &["--json", "--family", "cos-n"])).unwrap();
+    assert_eq!((&json["not_final"], &json["families"][0]["n_interval"]), (&Value::from(end), &Value::Null));
+}
+
+/// 0.5 c⁶⁰ over ±40° of radians under the name of degrees; and honest degrees as near to the axis.
+#[test]
+fn radians_under_the_name_of_degrees_are_told() {
+    let rows = |n: f64, to: f64| -> String {
+        let row = |x: f64| format!("{x},{}\n", 0.5 * libm::pow(libm::cos(x), n));
+        let rows: String = (0..40).map(|i| row(to * f64::from(i) / 39.0)).collect();
+        format!("theta_deg,value\n{rows}")
+    };
+    let hint = "if these are radians, name the column theta_rad";
+    for (n, to) in [(60.0, 0.6), (2.0, 1.57), (4.0, 1.0)] {
+        assert!(answer(&rows(n, to), &[]).contains(hint), "{n} {to}");
+    }
+    let text = answer(&rows(60.0, 0.6), &[]);
+    assert!(text.contains("every angle is at most 1.571 degrees, and n is "), "{text}");
+    // Degrees up to 0.9 of a lobe of n = 2000, measured so finely that its n is known.
+    let fine: String = (0..40)
+        .map(|i| f64::from(i) * 0.9 / 39.0)
+        .map(|x| format!("{x},{}\n", libm::pow(libm::cos(x.to_radians()), 2000.0)))
+        .collect();
+    assert!(!answer(&format!("theta_deg,value\n{fine}"), &[]).contains(hint));
+    assert!(!answer(&rows(60.0, 0.6).replace("theta_deg", "theta_rad"), &[]).contains(hint));
+}
+
+/// A scale that f32 does not hold is handed out in f64, and no other.
+#[test]
+fn code_holds_the_scale() {
+    let scaled = |factor: &str| -> String {
+        let body = EXAMPLE_DATA.lines().filter(|line| !line.starts_with('#'));
+        body.enumerate().map(|(i, line)| format!("{line}{}\n", if i == 0 { "" } else { factor })).collect()
+    };
+    for (factor, float) in [("e50", "f64"), ("e-50", "f64"), ("e-39", "f64"), ("e30", "f32"), ("", "f32")] {
+        for family in Family::ALL {
+            let text = answer(&scaled(factor), &["--family", family.id()]);
+            let (_, code) = text.split_once("\n\n").and_then(|(_, rest)| rest.split_once("\n\n")).unwrap();
+            let scale: f64 = code
+                .split(&format!("_{float} * "))
+                .next()
+                .unwrap()
+                .rsplit(' ')
+                .next()
+                .unwrap()
+                .parse()
+                .unwrap();
+            let truth: f64 = format!("0.8{factor}").parse().unwrap();
+            // Schlick's tail fits the peak worst, a tenth too high.
+            assert!((scale / truth - 1.0).abs() < 0.15, "{family} {factor}: {code}");
+            let other = if float == "f32" { "f64" } else { "f32" };
+            assert!(!code.contains(other) && !code.contains("inf"), "{code}");
+            assert_eq!(code.contains("what cos is rounded by"), family.is_free());
+        }
+    }
+}
+
+/// Every field of the JSON answer is documented, and nothing else is.
+#[test]
+fn every_field_is_documented() {
+    fn keys(value: &Value, into: &mut Vec<String>) {
+        match value {
+            Value::Object(fields) => {
+                for (key, value) in fields {
+                    if !into.contains(key) {
+                        into.push(key.clone());
+                    }
+                    keys(value, into);
+                }
+            }
+            Value::Array(values) => values.iter().for_each(|value| keys(value, into)),
+            _ => {}
+        }
+    }
+    // Four samples are too few for a free bell: there are families without a fit.
+    let few = "theta_deg,value\n0,0.8\n5,0.62\n10,0.33\n15,0.11\n";
+    let mut found = Vec::new();
+    keys(&serde_json::from_str(&answer(few, &["--json"])).unwrap(), &mut found);
+    let names = DATA_FIT_FIELDS.lines().filter_map(|line| line.trim().strip_prefix("- ")?.split_once(':'));
+    let mut documented: Vec<String> =
+        names.flat_map(|(names, _)| names.split(", ").map(str::to_owned)).collect();
+    documented.sort();
+    documented.dedup();
+    found.sort();
+    assert_eq!(documented, found);
+    let help = String::from_utf8(bellfit(&["fit", "--help"], b"").stdout).unwrap();
+    assert!(help.contains(DATA_FIT_FIELDS.trim()), "{help}");
+}
+
+#[test]
+fn values_below_zero_blame_no_family() {
+    let text = "theta_deg,value\n0,-1\n10,-0.8\n20,-0.2\n30,-0.1\n";
+    refused(
+        &["fit", "--data", "-"],
+        text.as_bytes(),
+        "standard input: no lobe of any family nears the values",
+    );
+    refused(&["fit", "--data", "-", "--family", "cs-16"], text.as_bytes(), "cs-16: no lobe above 0");
 }
 
 #[test]

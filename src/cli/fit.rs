@@ -6,14 +6,11 @@ use crate::fit::{DIGITS, FactorForm, Form, Objective, Problem, Reals, fit_case, 
 use crate::integral::{Case, Limit, Lobe};
 use crate::kernel::model::Model;
 use crate::paper::{Over, parse_range};
-use crate::report::{factor_json, factor_lines, fit_json, fit_lines};
+use crate::report::{DATA_FIT_FIELDS, factor_json, factor_lines, fit_json, fit_lines};
 use anyhow::{Result, anyhow, bail};
 use clap::Args;
 
-/// Fit a factor coef(n) = form/(divisor π) to one model's integral and certify the residual; or, with --data, lobes
-/// to measured samples.
-#[derive(Debug, Args)]
-#[command(after_help = "Examples:
+const EXAMPLES: &str = "Examples:
   bellfit fit --model phong
   bellfit fit --model blinn-phong --limit paper --objective ls-absolute --digits 4
   bellfit fit --model blinn-phong-modified --n 32..256 --json
@@ -21,7 +18,12 @@ use clap::Args;
   bellfit fit --model blinn-phong --objective one-sided
   bellfit fit --model blinn-phong --objective one-sided-rounded --digits 4
   bellfit fit --data-example > samples.csv; bellfit fit --data samples.csv --plot samples.svg
-  bellfit fit --data samples.csv --family cos-n --family cubic-4 --family schlick --json")]
+  bellfit fit --data samples.csv --family cos-n --family cubic-4 --family schlick --json";
+
+/// Fit a factor coef(n) = form/(divisor π) to one model's integral and certify the residual; or, with --data, lobes
+/// to measured samples.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{DATA_FIT_FIELDS}"))]
 pub struct Arguments {
     /// phong, phong-modified, blinn-phong, blinn-phong-modified, blinn-phong-ndf or blinn-phong-heightfield.
     #[arg(long, value_name = "MODEL", value_parser = model)]
@@ -51,7 +53,7 @@ pub struct Arguments {
     /// certified after rounding. 12, or 4 for one-sided-rounded, if not given.
     #[arg(long, value_name = "DIGITS", value_parser = clap::value_parser!(u8).range(1..=15))]
     digits: Option<u8>,
-    /// Print one JSON object; the end of an endless range is null.
+    /// Print one JSON object; the end of an endless range is null. Of --data its fields are in --help.
     #[arg(long)]
     json: bool,
     #[command(flatten)]

@@ -118,7 +118,8 @@ fn write(path: &Path, bytes: Vec<u8>) -> Result<()> {
     let name = name.ok_or_else(|| anyhow!("--plot {}: the name is not UTF-8 text", path.display()))?;
     let mut artifacts = Artifacts::default();
     artifacts.insert(name, bytes);
-    artifacts.write(path.parent().unwrap_or(Path::new(".")))?;
+    let folder = path.parent().unwrap_or(Path::new("."));
+    artifacts.write(folder).map_err(|error| anyhow!("--plot {error}"))?;
     Ok(())
 }
 

@@ -249,8 +249,8 @@ impl Artifacts {
             let mut name = to.file_name().unwrap_or_default().to_owned();
             name.push(".tmp");
             let beside = to.with_file_name(name);
-            staged.push((beside.clone(), to));
-            std::fs::write(&beside, bytes).map_err(|e| file_error(&beside, &e))?;
+            staged.push((beside.clone(), to.clone()));
+            std::fs::write(&beside, bytes).map_err(|e| file_error(&to, &e))?;
         }
         Ok(())
     }

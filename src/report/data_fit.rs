@@ -1,7 +1,10 @@
 //! Lobes fitted to measured samples, for readers.
 
+use super::data_fit_code::data_fit_code;
 use super::number::short;
-use crate::fit::measured::{CONFIDENCE, Comparison, Estimate, Family, INDISTINCT, Samples, Weighting};
+use crate::fit::measured::{
+    CONFIDENCE, Comparison, Estimate, FEW_ANGLES, Goodness, INDISTINCT, NoUncertainty, Samples, Weighting,
+};
 use crate::kernel::exact::Cost;
 use std::fmt::Write;
 
@@ -15,23 +18,30 @@ pub fn data_fit_lines(samples: &Samples, found: &Comparison) -> String {
         let _ = writeln!(
             text,
             "{} does not have the samples' shape: residuals of neighbouring angles are correlated by {}, and by 0 ± {} \
-             if they were noise; the ± above then says too little",
+             if they were noise; its intervals then say too little",
             best.family,
             short(trend.correlation),
             short(1.0 / (trend.angles as f64).sqrt())
         );
     }
-    for estimate in &found.estimates {
-        if let Err(reason) = estimate.uncertainty {
-            let _ = writeln!(text, "{}: no uncertainty, as {reason}", estimate.family);
-        }
+    if let Some(words) = best.goodness.and_then(|goodness| goodness_words(best, &goodness)) {
+        let _ = writeln!(text, "{words}");
+    }
+    for (reason, families) in by_reason(found) {
+        let _ = writeln!(text, "{}: no uncertainty, as {reason}", families.join(", "));
     }
     for (family, reason) in &found.failures {
         let _ = writeln!(text, "{family}: not fitted, {reason}");
     }
-    if samples.may_be_radians() {
-        text.push_str(
-            "every angle is below 1.571 degrees; if these are radians, name the column theta_rad\n",
+    if found.angles < FEW_ANGLES {
+        let _ =
+            writeln!(text, "misfit: not looked for, {} angles being fewer than {FEW_ANGLES}", found.angles);
+    }
+    if samples.may_be_radians(best.n) {
+        let _ = writeln!(
+            text,
+            "every angle is at most 1.571 degrees, and n is {}; if these are radians, name the column theta_rad",
+            short(best.n)
         );
     }
     let noise = match found.weighting {
@@ -41,11 +51,52 @@ pub fn data_fit_lines(samples: &Samples, found: &Comparison) -> String {
     };
     let _ = writeln!(
         text,
-        "estimated; ± is half of a {:.0} % interval, if the family is right and the noise independent and {noise}",
+        "estimated; from and to are n e^(-t σ) and n e^(t σ), σ the standard error of ln n, ± is t standard errors: \
+         {:.0} % intervals, if the family is right and the noise independent and {noise}",
         100.0 * CONFIDENCE
     );
     let _ = write!(text, "\n{}", data_fit_code(found.cheapest()));
     text
+}
+
+/// What sigmas that do not hold mean for the answer.
+fn goodness_words(best: &Estimate, goodness: &Goodness) -> Option<String> {
+    let below = |p: f64| if p < 1e-99 { "less than 1e-99".to_owned() } else { format!("{p:.1e}") };
+    let (size, more, p, so) = if goodness.is_excess() {
+        let so =
+            "the sigmas are too small, or the lobe has another shape; intervals and ΔBIC then say too much";
+        ("larger", "more", goodness.above, so)
+    } else if goodness.is_short() {
+        (
+            "smaller",
+            "less",
+            goodness.below,
+            "the sigmas are too large; intervals and ΔBIC then say too little",
+        )
+    } else {
+        return None;
+    };
+    Some(format!(
+        "warning: the residuals of {} are {size} than the sigmas: χ²/(N - p) is {} with N - p = {}, and noise of these \
+         sigmas makes it {more} with probability {}; {so}",
+        best.family,
+        ratio(goodness.reduced),
+        best.freedom,
+        below(p)
+    ))
+}
+
+/// The families without an uncertainty, from the best on, a line a reason.
+fn by_reason(found: &Comparison) -> Vec<(NoUncertainty, Vec<&'static str>)> {
+    let mut reasons: Vec<(NoUncertainty, Vec<&'static str>)> = Vec::new();
+    for estimate in &found.estimates {
+        let Err(reason) = estimate.uncertainty else { continue };
+        match reasons.iter_mut().find(|(known, _)| *known == reason) {
+            Some((_, families)) => families.push(estimate.family.id()),
+            None => reasons.push((reason, vec![estimate.family.id()])),
+        }
+    }
+    reasons
 }
 
 fn samples_words(samples: &Samples, found: &Comparison) -> String {
@@ -79,14 +130,33 @@ pub(super) fn with_error(x: f64, error: Option<f64>) -> (String, String) {
     (format!("{x:.decimals$}"), format!("{error:.decimals$}"))
 }
 
-/// n and scale, each with half of its interval.
-pub(super) fn parameters(estimate: &Estimate) -> [(String, String); 2] {
-    let known = estimate.uncertainty.as_ref().ok();
-    let half = |error: f64, quantile: f64| error * quantile;
-    [
-        with_error(estimate.n, known.map(|u| half(u.n, u.quantile()))),
-        with_error(estimate.scale, known.map(|u| half(u.scale, u.quantile()))),
-    ]
+/// n with the ends of its interval, to two digits of the narrower half.
+pub(super) fn exponent(estimate: &Estimate) -> [String; 3] {
+    let n = estimate.n;
+    let Some((lo, hi)) = estimate.n_interval() else { return [short(n), String::new(), String::new()] };
+    let half = n - lo;
+    if !(half > 1e-6 && hi < 1e9) {
+        return [n, lo, hi].map(short);
+    }
+    let decimals = (1.0 - libm::floor(libm::log10(half))).max(0.0) as usize;
+    [n, lo, hi].map(|x| format!("{x:.decimals$}"))
+}
+
+/// The scale with half of its interval.
+fn scale(estimate: &Estimate) -> (String, String) {
+    with_error(estimate.scale, estimate.uncertainty.as_ref().ok().map(|u| u.scale * u.quantile()))
+}
+
+/// χ²/(N - p).
+fn ratio(reduced: f64) -> String {
+    if (0.01..1e4).contains(&reduced) { format!("{reduced:.3}") } else { format!("{reduced:.2e}") }
+}
+
+/// A difference of BIC, to so many decimals that it does not seem to be at the threshold when it is beyond.
+fn difference(behind: f64) -> String {
+    let tells = |text: &String| text.parse::<f64>().is_ok_and(|x| (x > INDISTINCT) == (behind > INDISTINCT));
+    let decimals = (2..=16).map(|decimals| format!("{behind:.decimals$}"));
+    decimals.into_iter().find(tells).unwrap_or_else(|| behind.to_string())
 }
 
 /// What a value costs, from cos θ.
@@ -101,25 +171,35 @@ fn cost_words(cost: Cost) -> String {
 }
 
 fn table(found: &Comparison) -> String {
-    let head = ["family", "cost", "n", "±", "scale", "±", "rms", "largest", "at", "row", "ΔBIC", ""];
-    let rows = found.estimates.iter().map(|estimate| {
-        let [(n, n_error), (scale, scale_error)] = parameters(estimate);
-        [
+    let is_told = found.weighting == Weighting::Sigma;
+    let mut head = vec!["family", "cost", "n", "from", "to", "scale", "±", "rms", "largest", "at", "row"];
+    head.extend(is_told.then_some("χ²/(N - p)"));
+    head.extend(["ΔBIC", "misfit"]);
+    let row = |estimate: &Estimate| {
+        let [n, lo, hi] = exponent(estimate);
+        let (scale, scale_error) = scale(estimate);
+        let mut row = vec![
             estimate.family.id().to_owned(),
             cost_words(estimate.family.cost(estimate.n)),
             n,
-            n_error,
+            lo,
+            hi,
             scale,
             scale_error,
             format!("{:.3e}", estimate.rms),
             format!("{:.2e}", estimate.worst.value),
             format!("{}°", short(estimate.worst.theta_deg)),
             estimate.worst.row.to_string(),
-            format!("{:.1}", found.behind(estimate)),
-            if estimate.trend.is_some_and(|trend| trend.is_misfit()) { "misfit" } else { "" }.to_owned(),
-        ]
-    });
-    let rows: Vec<[String; 12]> = std::iter::once(head.map(str::to_owned)).chain(rows).collect();
+        ];
+        let reduced = estimate.goodness.map_or("-".to_owned(), |goodness| ratio(goodness.reduced));
+        row.extend(is_told.then_some(reduced));
+        row.push(difference(found.behind(estimate)));
+        row.push(estimate.trend.map_or("-", |trend| if trend.is_misfit() { "yes" } else { "no" }).to_owned());
+        row
+    };
+    let head = head.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>();
+    let rows: Vec<Vec<String>> =
+        std::iter::once(head.clone()).chain(found.estimates.iter().map(row)).collect();
     let widths: Vec<usize> =
         (0..head.len()).map(|i| rows.iter().map(|row| row[i].chars().count()).max().unwrap_or(0)).collect();
     let mut text = String::new();
@@ -133,7 +213,8 @@ fn table(found: &Comparison) -> String {
         let _ = writeln!(text, "{}", line.trim_end());
     }
     text.push_str(
-        "cost: operations from cos θ, d a division, t a transcendental; largest: sample less lobe\n",
+        "cost: operations from cos θ, d a division, t a transcendental; largest: sample less lobe; misfit: residuals of \
+         neighbouring angles are alike\n",
     );
     text
 }
@@ -141,72 +222,26 @@ fn table(found: &Comparison) -> String {
 fn verdict(found: &Comparison) -> String {
     let best = found.best();
     let others: Vec<&str> = found.as_good().skip(1).map(|estimate| estimate.family.id()).collect();
-    let cheapest = found.cheapest();
     let mut text = format!("best: {}", best.family);
-    if others.is_empty() {
-        match found.estimates.get(1) {
-            Some(next) => {
-                let _ = write!(
-                    text,
-                    ", told apart from the others: {} is next, {:.1} behind in BIC",
-                    next.family,
-                    found.behind(next)
-                );
-            }
-            None => text.push_str(", the only one fitted"),
-        }
-    } else {
+    if !others.is_empty() {
         let _ = write!(
             text,
             "; not told apart from it by these samples (ΔBIC at most {INDISTINCT}): {}; cheapest of them: {}",
             others.join(", "),
-            cheapest.family
+            found.cheapest().family
         );
+    } else if let Some(next) = found.estimates.get(1) {
+        let apart = if found.is_told_apart() { ", told apart from the others: " } else { "; " };
+        let behind = difference(found.behind(next));
+        let _ = write!(text, "{apart}{} is next, {behind} behind in BIC", next.family);
+    } else {
+        text.push_str(", the only one fitted");
+    }
+    let doubts: Vec<String> = found.doubts().iter().map(ToString::to_string).collect();
+    if !doubts.is_empty() {
+        let _ = write!(text, "; not a final answer: {}", doubts.join("; "));
     }
     text
-}
-
-/// A few lines of Rust that compute the lobe at `cos`, in `f32`.
-pub fn data_fit_code(estimate: &Estimate) -> String {
-    let (family, n, scale) = (estimate.family, estimate.n as f32, estimate.scale as f32);
-    let scale = format!("{scale:?}_f32");
-    let function = |name: &str, path: &str| {
-        format!("use bellfit::kernel::lobe::{path};\nlet value = {scale} * {name}(cos, {n:?});\n")
-    };
-    let lobe = |module: &str, name: &str, k: u32| {
-        format!(
-            "use bellfit::kernel::{module}::{name};\nlet lobe = {name}::<{k}, f32>::new({n:?}); // once a material\n\
-             let value = {scale} * lobe.at(cos);\n"
-        )
-    };
-    match family {
-        Family::CosN => function("cos_n", "cos_n"),
-        Family::Cs16 => function("cs_16", "cs_16"),
-        Family::SphericalGaussian => function("spherical_gaussian", "spherical_gaussian"),
-        Family::Schlick => function("schlick", "schlick"),
-        Family::Linear2 => lobe("linear", "LinearLobe", 2),
-        Family::Linear4 => lobe("linear", "LinearLobe", 4),
-        Family::Linear8 => lobe("linear", "LinearLobe", 8),
-        Family::Linear32 => lobe("linear", "LinearLobe", 32),
-        Family::Cubic2 => lobe("cubic", "CubicLobe", 2),
-        Family::Cubic4 => lobe("cubic", "CubicLobe", 4),
-        Family::Cubic8 => lobe("cubic", "CubicLobe", 8),
-        Family::Free2 => free(estimate, &scale, "p * p"),
-        Family::Free4 => free(estimate, &scale, "(p * p) * (p * p)"),
-        Family::Free8 => free(estimate, &scale, "(p * p) * (p * p) * ((p * p) * (p * p))"),
-    }
-}
-
-fn free(estimate: &Estimate, scale: &str, power: &str) -> String {
-    let Some(([k1, k2, k3], reach)) = estimate.family.horner(estimate.n, estimate.shape) else {
-        return String::new();
-    };
-    let [k1, k2, k3, reach] = [k1, k2, k3, reach].map(|x| x as f32);
-    format!(
-        "let w = 1.0 - cos;\n\
-         let p = if w < {reach:?} {{ 1.0 - w * ({k1:?} - w * ({k2:?} - w * {k3:?})) }} else {{ 0.0_f32 }};\n\
-         let value = {scale} * {power};\n"
-    )
 }
 
 #[cfg(test)]
@@ -221,5 +256,11 @@ mod tests {
         assert_eq!(both(60_312.3, 1234.0), ("60312".to_owned(), "1234".to_owned()));
         assert_eq!(both(3e-40, 1e-42), ("3.0000e-40".to_owned(), "1.0e-42".to_owned()));
         assert_eq!(with_error(60.3123, None), ("60.3123".to_owned(), String::new()));
+    }
+
+    #[test]
+    fn a_difference_near_the_threshold_shows_its_side() {
+        let shown = [0.0, 1.996, 2.0, 2.004, 2.000_01, 2.07, 104.2].map(difference);
+        assert_eq!(shown, ["0.00", "2.00", "2.00", "2.004", "2.00001", "2.07", "104.20"]);
     }
 }

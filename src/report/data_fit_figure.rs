@@ -1,7 +1,7 @@
 //! The plot of fitted lobes: samples with curves, and residuals.
 
 use super::chart::{Axis, Chart, LineChart, Panels, Scale, Series, Style};
-use super::data_fit::parameters;
+use super::data_fit::exponent;
 use crate::fit::measured::{Comparison, Estimate, Family, Sample, Samples};
 use crate::kernel::lobe::versine;
 
@@ -49,8 +49,8 @@ pub fn data_fit_figure(samples: &Samples, found: &Comparison) -> Chart {
     let mut below = vec![dots(String::new(), points(&|s| left(best, s)))];
     below.extend(families.iter().enumerate().map(|(i, e)| line((i, e), means(&sorted, end, |s| left(e, s)))));
 
-    let [(n, n_error), _] = parameters(best);
-    let n = if n_error.is_empty() { n } else { format!("{n} ± {n_error}") };
+    let [n, lo, hi] = exponent(best);
+    let n = if lo.is_empty() { n } else { format!("{n} ({lo} to {hi})") };
     let angles = || Axis::new("angle from the lobe's axis θ (degrees)", Scale::Linear, (0.0, end));
     let chart = |title: &str, y: &str, series: Vec<Series>| LineChart {
         title: title.into(),

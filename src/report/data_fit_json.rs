@@ -1,23 +1,34 @@
 //! Lobes fitted to measured samples, for programs.
 
 use super::artifacts::ArtifactError;
-use super::data_fit::data_fit_code;
+use super::data_fit_code::data_fit_code;
 use crate::fit::measured::{CONFIDENCE, Comparison, Estimate, Samples, Weighting};
 use serde::Serialize;
 
+/// The fields of [`data_fit_json`], as `bellfit fit --help` prints them.
+pub const DATA_FIT_FIELDS: &str = include_str!("data_fit_json.md");
+
+/// The version of the fields' names and meaning.
+const VERSION: u32 = 1;
+
 #[derive(Serialize)]
 struct ComparisonJson<'a> {
+    version: u32,
     samples: usize,
     left_out: usize,
     angles: usize,
     unit: &'static str,
     weighting: &'static str,
+    may_be_radians: bool,
     evidence: &'static str,
     confidence: f64,
     best: &'static str,
+    told_apart: bool,
+    doubts: Vec<String>,
     as_good: Vec<&'static str>,
     cheapest: &'static str,
     code: String,
+    not_final: Option<String>,
     families: Vec<EstimateJson>,
     not_fitted: Vec<FailureJson<'a>>,
 }
@@ -42,9 +53,12 @@ struct EstimateJson {
     beta: Option<f64>,
     beta_error: Option<f64>,
     correlation: Option<f64>,
-    degrees_of_freedom: Option<usize>,
     no_uncertainty: Option<String>,
+    degrees_of_freedom: usize,
     chi_square: f64,
+    reduced_chi_square: Option<f64>,
+    p_below: Option<f64>,
+    p_above: Option<f64>,
     rms: f64,
     largest_residual: f64,
     largest_residual_theta_deg: f64,
@@ -59,13 +73,15 @@ struct EstimateJson {
     transcendentals: u32,
 }
 
-/// A comparison as one JSON object: the families from the best on, errors being standard errors, and null where
-/// there is no number.
+/// A comparison as one JSON object.
+///
+#[doc = include_str!("data_fit_json.md")]
 ///
 /// # Errors
 /// If the text cannot be made, which no finite number causes.
 pub fn data_fit_json(samples: &Samples, found: &Comparison) -> Result<String, ArtifactError> {
     let json = ComparisonJson {
+        version: VERSION,
         samples: found.counted,
         left_out: found.left_out,
         angles: found.angles,
@@ -75,12 +91,16 @@ pub fn data_fit_json(samples: &Samples, found: &Comparison) -> Result<String, Ar
             Weighting::Weight => "weight",
             Weighting::Sigma => "sigma",
         },
+        may_be_radians: samples.may_be_radians(found.best().n),
         evidence: "estimated",
         confidence: CONFIDENCE,
         best: found.best().family.id(),
+        told_apart: found.is_told_apart(),
+        doubts: found.doubts().iter().map(ToString::to_string).collect(),
         as_good: found.as_good().map(|estimate| estimate.family.id()).collect(),
         cheapest: found.cheapest().family.id(),
         code: data_fit_code(found.cheapest()),
+        not_final: found.cheapest().uncertainty.as_ref().err().map(ToString::to_string),
         families: found.estimates.iter().map(|e| estimate(e, found.behind(e))).collect(),
         not_fitted: found
             .failures
@@ -110,9 +130,12 @@ fn estimate(e: &Estimate, bic_difference: f64) -> EstimateJson {
         beta: shape.map(|shape| shape.square),
         beta_error: known.and_then(|u| u.shape).map(|(_, beta)| beta),
         correlation: known.map(|u| u.correlation),
-        degrees_of_freedom: known.and_then(|u| u.degrees),
         no_uncertainty: e.uncertainty.as_ref().err().map(ToString::to_string),
+        degrees_of_freedom: e.freedom,
         chi_square: e.chi_square,
+        reduced_chi_square: e.goodness.map(|goodness| goodness.reduced),
+        p_below: e.goodness.map(|goodness| goodness.below),
+        p_above: e.goodness.map(|goodness| goodness.above),
         rms: e.rms,
         largest_residual: e.worst.value,
         largest_residual_theta_deg: e.worst.theta_deg,

@@ -1,18 +1,20 @@
-"""Writes measured.csv, measured_samples.csv and student.csv: lobes fitted by scipy, and Student's quantiles by mpmath.
+"""Writes measured.csv, measured_samples.csv, student.csv and chi_square.csv: lobes fitted by scipy; Student's quantiles
+and the tails of chi-square by mpmath.
 
 measured_samples.csv holds 120 samples of 2.5 cos^80 with noise, an angle, a value and a sigma each, from a fixed
 seed. measured.csv holds, for every family of two parameters and with sigma read as an absolute error, as a relative
 weight, and not at all, scale, n, their standard errors and correlation by scipy.optimize.curve_fit (MINPACK's
 Levenberg-Marquardt, tolerances 1e-15, analytic weights; curve_fit's Jacobian by finite differences is replaced by
 complex steps, exact to rounding). student.csv holds t with P(|T| < t) = p to 25 digits: the root of the regularised
-incomplete beta function.
+incomplete beta function. chi_square.csv holds P(X < x) and P(X > x) to 25 digits: the series of the incomplete gamma
+function with 300 digits, checked by mpmath's own up to 9998 degrees.
 
 Rerun: python3 tests/references/measured.py
 """
 import csv
 
 import numpy as np
-from mpmath import betainc, erf, findroot, mp, mpf, sqrt
+from mpmath import betainc, erf, exp, findroot, gammainc, log, loggamma, mp, mpf, sqrt
 from scipy.optimize import curve_fit
 
 from integrand import HERE
@@ -106,3 +108,27 @@ with open(HERE / "student.csv", "w", newline="") as file:
             root = findroot(lambda t: within(t) - mpf(p), (low, high), solver="anderson", tol=1e-60)
             assert abs(within(root) - mpf(p)) < mpf(10) ** -28
             writer.writerow([p, degrees, mp.nstr(root, 25)])
+
+with open(HERE / "chi_square.csv", "w", newline="") as file:
+    writer = csv.writer(file, lineterminator="\n")
+    writer.writerow(["degrees", "chi_square", "below", "above"])
+    for degrees in [1, 2, 3, 5, 10, 31, 32, 33, 100, 1001, 9998, 5_000_000]:
+        for z in [-10, -4, -1.5, -0.5, 0, 0.5, 1.5, 4, 10, 35]:
+            x = round(degrees + z * (2 * degrees) ** 0.5, 2)
+            if x <= 0:
+                x = round(degrees * 2.0 ** (z - 4), 6)
+            # The smallest tail is 1e-204: so many digits are left of its difference from 1.
+            mp.dps = 300
+            a, y = mpf(degrees) / 2, mpf(x) / 2
+            term, total, k = mpf(1), mpf(1), a
+            while term > mpf(10) ** -290 * total:
+                k += 1
+                term *= y / k
+                total += term
+            below = total * exp(a * log(y) - y - loggamma(a + 1))
+            above = 1 - below
+            mp.dps = 40
+            if degrees < 10_000:
+                for own, other in [(below, gammainc(a, 0, y, regularized=True)), (above, gammainc(a, y, regularized=True))]:
+                    assert abs(own / other - 1) < mpf(10) ** -28, (degrees, x)
+            writer.writerow([degrees, repr(x), mp.nstr(below, 25), mp.nstr(above, 25)])

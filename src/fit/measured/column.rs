@@ -79,7 +79,10 @@ impl Columns {
     pub(super) fn parse(row: usize, line: &str, unit: Option<Unit>) -> Result<Self, DataError> {
         // The first of these that the header has; a comma inside numbers is told where it is met.
         let delimiter = ['\t', ';', ','].into_iter().find(|&c| line.contains(c)).unwrap_or(',');
-        let names: Vec<&str> = fields(line, delimiter).collect();
+        let mut names: Vec<&str> = fields(line, delimiter).collect();
+        if names.len() > 1 && names.last() == Some(&"") {
+            names.pop();
+        }
         if names.iter().all(|name| name.parse::<f64>().is_ok()) {
             return Err(DataError::NoHeader { row, found: shown(line.trim()) });
         }

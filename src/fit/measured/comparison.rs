@@ -1,7 +1,7 @@
 //! The families side by side.
 
 use super::points::Points;
-use super::{DataError, Estimate, Family, NoFit, Samples, Weighting};
+use super::{DataError, Doubt, Estimate, FEW_LEFT, Family, NoFit, Samples, Weighting};
 
 /// What every family comes to on the same samples.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,7 +32,8 @@ impl Comparison {
     /// parameters to rounding. Sums run in the order of the angles: the rows' order changes nothing.
     ///
     /// # Errors
-    /// [`DataError::NoFamily`] for no family, [`DataError::NoFit`] if none of them can be fitted.
+    /// [`DataError::NoFamily`] for no family, [`DataError::NoFit`] if none of them can be fitted, [`DataError::NoLobe`]
+    /// if that is so of several because the values are below 0 rather than above.
     ///
     /// ```
     /// use bellfit::fit::measured::{Comparison, DataError, Family, Samples, Unit, Weighting};
@@ -59,7 +60,9 @@ impl Comparison {
             }
         }
         if estimates.is_empty() {
+            let below = failures.iter().filter(|(_, reason)| *reason == NoFit::NoLobe).count();
             return Err(match failures.first() {
+                Some(_) if below > 1 => DataError::NoLobe,
                 Some(&(family, reason)) => DataError::NoFit { family, reason },
                 None => DataError::NoFamily,
             });
@@ -91,9 +94,38 @@ impl Comparison {
         self.estimates.iter().filter(|estimate| self.behind(estimate) <= INDISTINCT)
     }
 
-    /// Of [`Self::as_good`] the one with the fewest transcendentals, then divisions, then operations from cos θ.
+    /// Of [`Self::as_good`] the one with the fewest transcendentals, then divisions, then operations from cos θ; one
+    /// whose parameters are known before one whose are not.
     pub fn cheapest(&self) -> &Estimate {
-        self.as_good().min_by_key(|estimate| price(estimate)).unwrap_or(self.best())
+        let rank = |estimate: &&Estimate| (estimate.uncertainty.is_err(), price(estimate));
+        self.as_good().min_by_key(rank).unwrap_or(self.best())
+    }
+
+    /// Why the best family is no final answer, whatever the others' BIC.
+    ///
+    /// ```
+    /// use bellfit::fit::measured::{Comparison, DataError, Doubt, Family, Samples};
+    /// // Five samples, two parameters: BIC is for many.
+    /// let samples = Samples::parse(b"theta_deg,value\n0,0.8\n5,0.62\n10,0.33\n15,0.1\n20,0.03\n", None)?;
+    /// let found = Comparison::of(&samples, &[Family::CosN, Family::Schlick])?;
+    /// assert_eq!(found.doubts(), [Doubt::FewLeft { freedom: 3 }]);
+    /// assert!(!found.is_told_apart());
+    /// # Ok::<(), DataError>(())
+    /// ```
+    pub fn doubts(&self) -> Vec<Doubt> {
+        let best = self.best();
+        let freedom = self.estimates.iter().map(|estimate| estimate.freedom).min().unwrap_or(0);
+        let few = self.estimates.len() > 1 && freedom <= FEW_LEFT;
+        let few = few.then_some(Doubt::FewLeft { freedom });
+        let unknown = best.uncertainty.as_ref().err().map(|&reason| Doubt::NotKnown(reason));
+        let excess = best.goodness.filter(|goodness| goodness.is_excess()).map(|_| Doubt::Excess);
+        [unknown, few, excess].into_iter().flatten().collect()
+    }
+
+    /// Whether the samples prefer the best family to every other that was fitted: each more than [`INDISTINCT`]
+    /// behind, and no [doubt](Self::doubts).
+    pub fn is_told_apart(&self) -> bool {
+        self.estimates.len() > 1 && self.as_good().count() == 1 && self.doubts().is_empty()
     }
 }
 

@@ -82,7 +82,7 @@ pub enum DataError {
         asked: &'static str,
     },
     /// A line of another length than the header's.
-    #[error("row {row}: {found} fields under a header of {expected}")]
+    #[error("row {row}: {found} fields under a header of {expected}{hint}")]
     Fields {
         /// Where.
         row: usize,
@@ -90,6 +90,8 @@ pub enum DataError {
         found: usize,
         /// Columns named.
         expected: usize,
+        /// What may have divided it.
+        hint: &'static str,
     },
     /// An empty field.
     #[error("row {row}, column {column}: missing")]
@@ -144,12 +146,14 @@ pub enum DataError {
         most: usize,
     },
     /// Fewer samples than the smallest fit needs.
-    #[error("{found} samples of positive weight: at least {needed} are needed")]
+    #[error("{found} samples{of}: at least {needed} are needed", of = if *.left_out > 0 { " of positive weight" } else { "" })]
     TooFew {
         /// How many there are.
         found: usize,
         /// One more than parameters.
         needed: usize,
+        /// Samples of weight 0.
+        left_out: usize,
     },
     /// Every sample at one angle.
     #[error("all {count} samples stand at {theta_deg} degrees: a width needs at least two angles")]
@@ -171,6 +175,11 @@ pub enum DataError {
         /// Its name.
         column: String,
     },
+    /// Values below 0 rather than above.
+    #[error(
+        "no lobe of any family nears the values: those inside it are below 0 rather than above, and a scale is positive"
+    )]
+    NoLobe,
     /// No family at all was asked for.
     #[error("no family to fit")]
     NoFamily,

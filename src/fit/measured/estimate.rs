@@ -4,7 +4,7 @@ use super::points::Points;
 use super::polish::{Member, polish};
 use super::trend::trend;
 use super::triangle::System;
-use super::{Family, Shape, Trend, Weighting, free, search, student_quantile};
+use super::{Family, Goodness, Shape, Trend, Weighting, free, search, student_quantile};
 use core::fmt;
 use thiserror::Error;
 
@@ -32,8 +32,12 @@ pub struct Estimate {
     pub shape: Shape,
     /// How far off the parameters may be, or why that is not known.
     pub uncertainty: Result<Uncertainty, NoUncertainty>,
+    /// N - p: samples of positive weight less parameters.
+    pub freedom: usize,
     /// Σ q (v - lobe)², q the weights as given, or 1/σ².
     pub chi_square: f64,
+    /// Whether the residuals have the size of the sigmas; `None` where none are given.
+    pub goodness: Option<Goodness>,
     /// √(Σ q r²/Σ q) in the values' unit.
     pub rms: f64,
     /// The largest |residual|; of equal ones that of the smallest angle.
@@ -49,12 +53,12 @@ pub struct Estimate {
 /// the samples' σ are given.
 ///
 /// They presume that the lobe is of the family, that the noise of different samples is independent, of mean 0 and
-/// of the variance that the weights say, and that the lobe is nearly linear in its parameters over a few errors.
+/// of the variance that the weights say, and that the lobe is nearly linear in ln n and in the others over a few errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Uncertainty {
     /// Of the scale.
     pub scale: f64,
-    /// Of n.
+    /// Of n: n times the standard error of ln n, in which the lobe is nearer to linear.
     pub n: f64,
     /// Of a free bell's α and β.
     pub shape: Option<(f64, f64)>,
@@ -90,8 +94,10 @@ pub enum NoUncertainty {
         /// Which end.
         end: f64,
     },
-    /// The samples want a bell that rises somewhere.
-    #[error("the shape stands where the bell would begin to rise before its cut")]
+    /// The samples want a bell that rises somewhere, or a flatter peak or a longer tail than is searched.
+    #[error(
+        "the shape stands at the edge of those searched, most often where the bell would rise before its cut"
+    )]
     AtEdge,
     /// Parameters that change the lobe in the same way, at these angles.
     #[error("the samples do not tell the parameters apart")]
@@ -158,13 +164,17 @@ impl Estimate {
             (0..count).fold(0, |best, i| if residuals[i].abs() > residuals[best].abs() { i } else { best });
         let weights: f64 = points.weight.iter().sum();
         let chi_square = square * points.unit * points.unit * points.heaviest;
+        let freedom = count - member.family.parameters();
+        let is_absolute = points.weighting == Weighting::Sigma && freedom > 0;
         Estimate {
             family: member.family,
             scale: member.scale * points.unit,
             n: member.n(),
             shape: member.shape,
             uncertainty: uncertainty(points, found),
+            freedom,
             chi_square,
+            goodness: is_absolute.then(|| Goodness::of(chi_square, freedom)),
             rms: (square / weights).sqrt() * points.unit,
             worst: Residual {
                 row: points.row[worst],
@@ -181,13 +191,15 @@ impl Estimate {
         self.scale * self.family.value(versine, self.n, self.shape)
     }
 
-    /// The 95 % interval of n, if its uncertainty is known.
+    /// The 95 % interval of n, if its uncertainty is known: n e^(-t σ) to n e^(t σ), σ the standard error of ln n and
+    /// t the [quantile](Uncertainty::quantile). Both ends are positive, however little the samples say of n.
     pub fn n_interval(&self) -> Option<(f64, f64)> {
         let u = self.uncertainty.as_ref().ok()?;
-        Some((self.n - u.quantile() * u.n, self.n + u.quantile() * u.n))
+        let factor = libm::exp(u.quantile() * u.n / self.n);
+        Some((self.n / factor, self.n * factor))
     }
 
-    /// The 95 % interval of the scale, if its uncertainty is known.
+    /// The 95 % interval of the scale, if its uncertainty is known: the scale and t standard errors to each side.
     pub fn scale_interval(&self) -> Option<(f64, f64)> {
         let u = self.uncertainty.as_ref().ok()?;
         Some((self.scale - u.quantile() * u.scale, self.scale + u.quantile() * u.scale))
@@ -246,8 +258,6 @@ fn is_settled(points: &Points, found: &Settled) -> bool {
 
 /// How far from stationary a point may be, in standard errors of a parameter, and still count as the optimum.
 const SETTLED: f64 = 1e-2;
-/// A free bell's margin below which its shape is at the edge.
-const EDGE: f64 = 1e-2;
 /// How near to an end of the range n stands at it, relatively.
 const AT_END: f64 = 1e-9;
 
@@ -267,7 +277,7 @@ fn uncertainty(points: &Points, found: &Settled) -> Result<Uncertainty, NoUncert
     }
     let covariance = system.covariance().ok_or(NoUncertainty::Singular)?;
     if !is_settled(points, found) {
-        let is_edge = member.family.is_free() && member.shape.margin() < EDGE;
+        let is_edge = member.family.is_free() && member.shape.is_near_edge();
         return Err(if is_edge { NoUncertainty::AtEdge } else { NoUncertainty::Unsettled });
     }
     let noise = (square / degrees as f64).sqrt();
@@ -285,7 +295,8 @@ fn uncertainty(points: &Points, found: &Settled) -> Result<Uncertainty, NoUncert
         degrees,
     };
     // Values that are nothing beside their sigmas: an error beyond the doubles is none that is known.
-    let is_finite = [known.scale, known.n, known.correlation].iter().all(|x| x.is_finite());
+    let most = n * libm::exp(known.quantile() * error(1));
+    let is_finite = [known.scale, known.n, known.correlation, most].iter().all(|x| x.is_finite());
     if is_finite { Ok(known) } else { Err(NoUncertainty::Singular) }
 }
 

@@ -213,6 +213,16 @@ impl Shape {
     }
 }
 
+impl Shape {
+    /// Whether it stands where [`falls`](Shape::falls) ends.
+    pub(super) fn is_near_edge(self) -> bool {
+        let far = [self.linear / MOST_LINEAR, self.square.abs() / MOST_SQUARE];
+        self.margin() < EDGE || far.iter().any(|far| *far > 1.0 - EDGE)
+    }
+}
+
+/// How near to the edge a shape stands at it, relatively.
+const EDGE: f64 = 1e-2;
 /// α stays this far below 1, where the peak would be flat and n nothing.
 const MOST_LINEAR: f64 = 0.99;
 /// A square beyond this is a cut that no sample sees.

@@ -15,12 +15,15 @@
 //! # Ok::<(), DataError>(())
 //! ```
 
+mod chi_square;
 mod column;
 mod comparison;
+mod doubt;
 mod error;
 mod estimate;
 mod family;
 mod free;
+mod goodness;
 mod lobe;
 mod points;
 mod polish;
@@ -31,13 +34,16 @@ mod trend;
 mod triangle;
 mod unit;
 
+pub use chi_square::chi_square_tails;
 pub use comparison::{Comparison, INDISTINCT};
+pub use doubt::{Doubt, FEW_LEFT};
 pub use error::DataError;
 pub use estimate::{CONFIDENCE, Estimate, NoFit, NoUncertainty, Residual, Uncertainty};
 pub use family::{Family, Shape};
+pub use goodness::Goodness;
 pub use samples::{Sample, Samples, Weighting};
 pub use student::student_quantile;
-pub use trend::Trend;
+pub use trend::{FEW_ANGLES, Trend};
 pub use unit::Unit;
 
 /// A commented file of samples to start from: 0.8 cos⁶⁰θ with Gaussian noise of 0.01, in thousandths.

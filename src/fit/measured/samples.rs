@@ -1,6 +1,7 @@
 //! Measured samples, and how they are read.
 
 use super::column::{Column, Columns, fields, shown};
+use super::unit::MOST_RADIANS;
 use super::{DataError, Unit};
 
 /// What is known of the samples' noise.
@@ -67,8 +68,8 @@ impl Samples {
     ///   on both sides of it (the sign does not count). `theta` alone needs `unit`.
     /// - The value: `value`, in any unit; the scale has the same. Then, if known, `weight` (1/σ² up to a factor,
     ///   0 leaves a row out) or `sigma` (σ in the value's unit).
-    /// - Commas, semicolons or tabs; a decimal point; spaces, quotes, a byte order mark, CRLF, empty lines and
-    ///   lines that begin with # do not count. Up to five million rows.
+    /// - Commas, semicolons or tabs; a decimal point; spaces, quotes, a byte order mark, CRLF, CR alone, a delimiter
+    ///   at a row's end, empty lines and lines that begin with # do not count. Up to five million rows.
     ///
     /// # Errors
     /// [`DataError`], with row and column.
@@ -83,11 +84,13 @@ impl Samples {
     /// ```
     pub fn parse(bytes: &[u8], unit: Option<Unit>) -> Result<Self, DataError> {
         let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
+        // Without a single line feed the lines end as on the first Macintosh.
+        let end = if bytes.contains(&b'\n') { b'\n' } else { b'\r' };
         let text = core::str::from_utf8(bytes).map_err(|error| {
             let before = &bytes[..error.valid_up_to()];
-            DataError::NotUtf8 { row: 1 + before.iter().filter(|b| **b == b'\n').count() }
+            DataError::NotUtf8 { row: 1 + before.iter().filter(|b| **b == end).count() }
         })?;
-        let mut lines = (1..).zip(text.lines()).filter(|(_, line)| {
+        let mut lines = (1..).zip(text.split(char::from(end))).filter(|(_, line)| {
             let line = line.trim();
             !line.is_empty() && !line.starts_with('#')
         });
@@ -102,8 +105,19 @@ impl Samples {
             }
             read.clear();
             read.extend(fields(line, columns.delimiter));
+            // A delimiter at the end of a row, as some spreadsheets write it, begins no field.
+            if read.len() == columns.count + 1 && read.last() == Some(&"") {
+                read.pop();
+            }
             if read.len() != columns.count {
-                return Err(DataError::Fields { row, found: read.len(), expected: columns.count });
+                // Its fields have lost the pair that stood around them.
+                let is_quoted = columns.delimiter == ',' && read.iter().any(|field| field.starts_with('"'));
+                let hint = if is_quoted {
+                    "; a comma inside quotes divides too: decimals follow a point"
+                } else {
+                    ""
+                };
+                return Err(DataError::Fields { row, found: read.len(), expected: columns.count, hint });
             }
             let number = |column: &Column| number(row, column, read[column.at]);
             raw.push(Raw {
@@ -193,7 +207,8 @@ impl Samples {
             return Err(DataError::NoWeight { column: names.third.to_owned() });
         }
         if counted.len() < FEWEST {
-            return Err(DataError::TooFew { found: counted.len(), needed: FEWEST });
+            let (found, left_out) = (counted.len(), all.len() - counted.len());
+            return Err(DataError::TooFew { found, needed: FEWEST, left_out });
         }
         if counted.iter().all(|sample| sample.versine == counted[0].versine) {
             return Err(DataError::OneAngle { count: counted.len(), theta_deg: counted[0].theta_deg });
@@ -219,20 +234,28 @@ impl Samples {
         self.unit
     }
 
-    /// Whether the angles may be radians under the name of degrees: the largest lies between 1 and π/2.
+    /// Whether the angles may be radians under the name of degrees, `n` being the exponent fitted: the largest lies
+    /// between 1 and π/2; or below, and n is beyond 5000, which radians that are read as degrees make of n = 1.6 and
+    /// more.
     ///
     /// ```
     /// use bellfit::fit::measured::{Samples, Unit, Weighting};
     /// let rows = [(0.0, 1.0, 1.0), (0.7, 0.8, 1.0), (1.5, 0.1, 1.0)];
-    /// assert!(Samples::new(Unit::Degrees, Weighting::Equal, &rows)?.may_be_radians());
-    /// assert!(!Samples::new(Unit::Radians, Weighting::Equal, &rows)?.may_be_radians());
+    /// assert!(Samples::new(Unit::Degrees, Weighting::Equal, &rows)?.may_be_radians(900.0));
+    /// assert!(!Samples::new(Unit::Radians, Weighting::Equal, &rows)?.may_be_radians(900.0));
+    /// let near = Samples::new(Unit::Degrees, Weighting::Equal, &rows[..2].repeat(2))?;
+    /// assert!(near.may_be_radians(20_000.0) && !near.may_be_radians(900.0));
     /// # Ok::<(), bellfit::fit::measured::DataError>(())
     /// ```
-    pub fn may_be_radians(&self) -> bool {
+    pub fn may_be_radians(&self, n: f64) -> bool {
         let largest = self.all.iter().map(|sample| sample.theta_deg).fold(0.0, f64::max);
-        self.unit == Unit::Degrees && (1.0..=1.571).contains(&largest)
+        let is_narrow = largest >= 1.0 || n > TOO_NARROW;
+        self.unit == Unit::Degrees && largest <= MOST_RADIANS && is_narrow
     }
 }
+
+/// An exponent that few measured lobes have: e^-1 at 1.15 degrees.
+const TOO_NARROW: f64 = 5000.0;
 
 fn number(row: usize, column: &Column, text: &str) -> Result<f64, DataError> {
     let name = column.name.clone();

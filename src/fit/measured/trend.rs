@@ -17,8 +17,8 @@ pub struct Trend {
 
 /// Errors above 0 from which a trend is a sign of misfit: once in 740 by chance.
 const MISFIT: f64 = 3.0;
-/// Fewer angles have no trend to speak of.
-const FEW_ANGLES: usize = 20;
+/// Fewer different angles have no trend to speak of, and none is looked for.
+pub const FEW_ANGLES: usize = 20;
 
 impl Trend {
     /// Whether it lies three errors above 0 and more.

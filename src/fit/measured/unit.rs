@@ -21,7 +21,7 @@ pub enum Unit {
 }
 
 /// The largest radians that are still π/2, printed with three decimals or more.
-const MOST_RADIANS: f64 = 1.571;
+pub(super) const MOST_RADIANS: f64 = 1.571;
 /// How far beyond its end a cosine may lie: what normalising two vectors in `f32` leaves.
 const ROUNDED: f64 = 1e-6;
 
