@@ -210,4 +210,95 @@ mod tests {
         let far = cut_numerator(1e9);
         assert!((far.mid() - libm::sqrt(32.0)).abs() < 1e-6 && far.width() < 1e-12);
     }
+
+    /// t = n (1 - cos θ): n/2 at 60°, n at 90°, and what rounding leaves beyond stays there.
+    #[test]
+    fn the_angle_of_an_extreme_is_that_of_its_t() {
+        let at = |n: f64, t: f64| {
+            let found = DifferenceExtreme { value: Interval::ZERO, n, t, beyond_cut: false, boxes: 0 };
+            found.theta()
+        };
+        let right = core::f64::consts::FRAC_PI_2;
+        assert!((at(8.0, 4.0) - right * 2.0 / 3.0).abs() < 1e-15 && (at(8.0, 8.0) - right).abs() < 1e-15);
+        assert!(
+            at(8.0, 0.0) == 0.0
+                && (at(8.0, 16.0) - 2.0 * right).abs() < 1e-15
+                && at(8.0, 17.0) <= 2.0 * right
+        );
+    }
+
+    /// In 128 bits: c²'s t is at most 16 at the lower end and at least 16 at the upper one.
+    #[test]
+    fn cut_numerators_are_enclosed_from_both_sides() {
+        use crate::bound::{Fixed, exact};
+        for n in
+            [16.5, 17.0, 18.0, 20.0, 23.0, 31.0, 40.0, 63.0, 64.0, 100.0, 333.0, 1000.0, 1024.0, 5e4, 1e7]
+        {
+            let found = cut_numerator(n);
+            let t = |c: f64| {
+                let c = Fixed::rational(&exact(c).unwrap());
+                let z = c.clone() * c;
+                let ratio = (z.clone() / Fixed::rational(&exact(n).unwrap())).versine_ratio();
+                (z * ratio).to_interval()
+            };
+            assert!(t(found.lo()).hi() <= 16.0 && t(found.hi()).lo() >= 16.0, "{n}: {found:?}");
+            assert!(found.width() < 2e-14, "{n}: {found:?}");
+        }
+    }
+
+    /// The lobe paper's difference at n = 64 and 1024 on a grid of t in doubles.
+    #[test]
+    fn extremes_are_those_of_a_grid() {
+        let delta = |n: f64, t: f64| {
+            libm::exp(n * libm::log1p(-(t / n).min(1.0))) - libm::pow((1.0 - t / 16.0).max(0.0), 16.0)
+        };
+        for n in [64.0, 1024.0] {
+            let found = difference_supremum(Limit::ExactZero, Interval::from(n), 1e-7);
+            let best = (0..=16_000).map(|i| delta(n, f64::from(i) * 1e-3)).fold(0.0, f64::max);
+            assert!(found.value.hi() >= best && found.value.lo() <= best + 1e-7, "{n}: {found:?} {best}");
+            assert!(found.value.width() < 2e-7 && found.n == n && !found.beyond_cut, "{n}: {found:?}");
+            assert!((delta(n, found.t) - best).abs() < 1e-6, "{n}: {found:?}");
+        }
+        for n in [4.0, 10.0] {
+            let found = difference_infimum(n, 1e-7);
+            let least = (0..=10_000).map(|i| delta(n, n * f64::from(i) * 1e-4)).fold(0.0, f64::min);
+            assert!(found.value.lo() <= least && found.value.hi() >= least - 1e-7, "{n}: {found:?} {least}");
+            assert!(found.value.width() < 2e-7 && (delta(n, found.t) - least).abs() < 1e-6, "{n}: {found:?}");
+        }
+        // 6/√n for the zero: (1 - t/16)^16 at t = n (1 - cos(6/√n)), largest where n is least.
+        let effect = |n: f64| libm::pow(1.0 - n * (1.0 - libm::cos(6.0 / libm::sqrt(n))) / 16.0, 16.0);
+        let best = (0..=1000).map(|i| effect(17.0 + 3.0 * f64::from(i) / 1000.0)).fold(0.0, f64::max);
+        let found = cut_effect(Limit::Paper, Interval::new(17.0, 20.0), 1e-3 * best);
+        assert!(
+            found.value.hi() >= best * (1.0 - 1e-9) && found.value.lo() <= best * 1.001,
+            "{found:?} {best:e}"
+        );
+        assert!(found.value.width() < 2e-3 * best, "{found:?} {best:e}");
+        assert!((effect(found.n) / best - 1.0).abs() < 5e-3 && found.beyond_cut, "{found:?}");
+    }
+
+    /// By the mean value theorem a difference quotient is a slope at a point between; the slope is -cosⁿ/(1 - t m).
+    #[test]
+    fn slopes_of_cos_n_are_tight() {
+        for (t, m) in [(0.3, 0.0625), (2.0, 0.01), (7.5, 0.125), (7.999, 0.125), (3.0, 0.0)] {
+            let found = cos_n_jet(Jet::variable(Interval::from(t)), Interval::from(m));
+            let value = if m == 0.0 { libm::exp(-t) } else { libm::exp(libm::log1p(-t * m) / m) };
+            let slope = -value / (1.0 - t * m);
+            assert!((found.value.mid() - value).abs() < 1e-14 && found.value.width() < 1e-13, "{found:?}");
+            assert!((found.slope.mid() - slope).abs() < 1e-13 && found.slope.width() < 1e-12, "{found:?}");
+        }
+        // Where 1 - t m may reach 0 or leave it: from -1 to 0.
+        let edge = cos_n_jet(Jet::variable(Interval::new(7.0, 9.0)), Interval::from(0.125));
+        assert!(edge.slope.lo() >= -1.0 && edge.slope.hi() >= 0.0 && edge.slope.hi() < 1e-300, "{edge:?}");
+        let steep = -libm::pow(0.125, 7.0);
+        assert!(edge.slope.lo() <= steep && edge.slope.lo() > 1.001 * steep, "{edge:?}");
+        // Over a box both corners: (1 - t m)^(1/m) falls in t and in m.
+        let found = cos_n_range(Interval::new(1.0, 2.0), Interval::new(0.05, 0.1));
+        let (lo, hi) = (libm::pow(0.8, 10.0), libm::pow(0.95, 20.0));
+        assert!((found.lo() - lo).abs() < 1e-14 && (found.hi() - hi).abs() < 1e-14, "{found:?}");
+        let found = cos_n_range(Interval::new(1.0, 2.0), Interval::new(0.0, 0.1));
+        assert!((found.lo() - lo).abs() < 1e-14 && (found.hi() - libm::exp(-1.0)).abs() < 1e-14, "{found:?}");
+        let n = reciprocal(Interval::new(3.0, f64::INFINITY));
+        assert!(n.lo() == 0.0 && n.hi() >= 1.0 / 3.0 && n.hi() <= (1.0_f64 / 3.0).next_up().next_up());
+    }
 }

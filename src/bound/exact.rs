@@ -111,4 +111,13 @@ mod tests {
         assert!(decimal("1e400").is_some() && decimal("1e401").is_none());
         assert!(decimal("1e-400").is_some() && decimal("1e-401").is_none());
     }
+
+    /// Digits alone: no marks between them that a reader of whole numbers would pass over.
+    #[test]
+    fn marks_between_digits_are_no_decimals() {
+        for bad in ["1_000", "_1", "1_", "+-1", "--1", "1.+5", "1. 5", "٣", "1e1e1"] {
+            assert!(decimal(bad).is_none(), "{bad}");
+        }
+        assert_eq!(decimal("+1.5").map(|(value, _)| value), decimal("15e-1").map(|(value, _)| value));
+    }
 }

@@ -227,4 +227,109 @@ mod tests {
             assert_eq!(a * b, product);
         }
     }
+
+    fn ulps(x: &Fixed) -> RBig {
+        let (lo, hi) = x.ends();
+        (hi - lo) * (0..128).fold(RBig::int(1), |p, _| p * RBig::int(2))
+    }
+
+    /// 2 (π/2)² and its root from π's printed digits: 3.14159265358979323846264338327950288419716939937510… (D. H.
+    /// Bailey, J. M. Borwein, "Pi: The Next Generation", 2016, and any table).
+    #[test]
+    fn a_right_angle_has_the_digits_of_pi() {
+        let digits = super::super::decimal("3.1415926535897932384626433832795028841971693993751").unwrap().0;
+        let next = digits.clone() + super::super::power_of_ten(-48);
+        let before = digits - super::super::power_of_ten(-48);
+        let four = RBig::int(4);
+        let (lo, hi) = Fixed::half_pi_squared().ends();
+        assert!(lo < next.clone() * next / four.clone() && before.clone() * before / four < hi);
+        // A few hundred units of 2⁻¹²⁸ from two series of fifty terms, times 16 and squared.
+        assert!(ulps(&Fixed::half_pi_squared()) < RBig::int(10_000));
+    }
+
+    /// Between two neighbouring partial sums, exactly.
+    #[test]
+    fn arcs_lie_between_their_partial_sums() {
+        for k in [2_i64, 5, 18, 239, 1 << 20] {
+            let mut sums = [RBig::int(0), RBig::int(0)];
+            let mut power = RBig::int(1) / RBig::int(k);
+            for j in 0..90 {
+                let term = power.clone() / RBig::int(2 * j + 1);
+                let next = if j % 2 == 0 { sums[1].clone() + term } else { sums[1].clone() - term };
+                sums = [sums[1].clone(), next];
+                power /= RBig::int(k * k);
+            }
+            let (low, high) = (sums[1].clone(), sums[0].clone());
+            let found = arctan_inverse(k);
+            let (lo, hi) = found.ends();
+            assert!(lo <= low && high <= hi, "{k}");
+            // Two roundings a term, and one for the rest on either side.
+            assert!(ulps(&found) <= RBig::int(4 * 70 + 2), "{k}: {}", ulps(&found));
+        }
+    }
+
+    #[test]
+    fn roots_round_outward_by_one_unit() {
+        for k in [0_i64, 1, 2, 3, 4, 10, 1000] {
+            let (lo, hi) = Fixed::int(k).sqrt().ends();
+            let exact = RBig::int(k);
+            assert!(lo.clone() * lo <= exact && exact < hi.clone() * hi, "{k}");
+            assert_eq!(ulps(&Fixed::int(k).sqrt()), RBig::int(1));
+        }
+        let negative = Fixed::int(-4).hull(Fixed::int(9)).sqrt().ends();
+        assert!(negative.0 == RBig::int(0) && negative.1 > RBig::int(3));
+    }
+
+    #[test]
+    fn quotients_of_either_sign_hold_their_extremes() {
+        let of = |lo, hi| Fixed::int(lo).hull(Fixed::int(hi));
+        for (a, b, lo, hi) in [
+            ((1, 2), (3, 7), (1, 7), (2, 3)),
+            ((-1, 2), (3, 7), (-1, 3), (2, 3)),
+            ((-2, -1), (3, 7), (-2, 3), (-1, 7)),
+            ((1, 2), (-7, -3), (-2, 3), (-1, 7)),
+            ((-2, -1), (-7, -3), (1, 7), (2, 3)),
+            ((-1, 2), (-7, -3), (-2, 3), (1, 3)),
+            ((0, 2), (3, 7), (0, 1), (2, 3)),
+        ] {
+            let found = of(a.0, a.1) / of(b.0, b.1);
+            let ends = found.ends();
+            let exact = [lo, hi].map(|(p, q)| RBig::int(p) / RBig::int(q));
+            let unit = RBig::int(1) / (0..128).fold(RBig::int(1), |p, _| p * RBig::int(2));
+            assert!(ends.0 <= exact[0] && exact[0] < ends.0 + unit.clone(), "{a:?} {b:?}");
+            assert!(ends.1 >= exact[1] && exact[1] > ends.1 - unit, "{a:?} {b:?}");
+        }
+        // Products that do not end at a unit go outward as well.
+        let third = Fixed::int(1) / Fixed::int(3);
+        for (a, b, exact) in [(&third, &third, (1, 9)), (&third, &(Fixed::int(-1) / Fixed::int(3)), (-1, 9))]
+        {
+            let product = a.clone() * b.clone();
+            let (lo, hi) = product.ends();
+            let exact = RBig::int(exact.0) / RBig::int(exact.1);
+            assert!(lo < exact && exact < hi && ulps(&product) <= RBig::int(3));
+        }
+        assert!(std::panic::catch_unwind(|| Fixed::int(1) / Fixed::int(0)).is_err());
+        assert!(std::panic::catch_unwind(|| Fixed::int(1) / (Fixed::int(-1).hull(Fixed::int(0)))).is_err());
+    }
+
+    #[test]
+    fn numbers_in_doubles_and_back() {
+        let third = Fixed::rational(&(RBig::int(1) / RBig::int(3)));
+        assert_eq!((ulps(&third), ulps(&Fixed::rational(&RBig::int(-5)))), (RBig::int(1), RBig::int(0)));
+        let (lo, hi) = Fixed::rational(&(RBig::int(-1) / RBig::int(3))).ends();
+        assert!(lo < RBig::int(-1) / RBig::int(3) && RBig::int(-1) / RBig::int(3) < hi);
+        assert_eq!(Fixed::between(-0.5, 2.25).to_interval(), Interval::new(-0.5, 2.25));
+        assert_eq!(Fixed::int(2).min(&Fixed::int(3)), Fixed::int(2));
+        assert_eq!(Fixed::int(4) - Fixed::int(1).hull(Fixed::int(3)), Fixed::int(1).hull(Fixed::int(3)));
+        assert_eq!(Fixed::int(4) + Fixed::int(1).hull(Fixed::int(3)), Fixed::int(5).hull(Fixed::int(7)));
+        // 2^(-1/(2/4)) = 1/4 at m = 1/4, in doubles.
+        let power = Fixed::rational(&(RBig::int(1) / RBig::int(4))).half_power().to_interval();
+        assert!(power.contains(0.25) && power.width() < 1e-15);
+        // (1 - cos √y)/y at y = (π/3)²: 1/2 over it, to twenty terms' roundings.
+        let y = Fixed::half_pi_squared() * Fixed::int(4) / Fixed::int(9);
+        let product = y.clone() * y.versine_ratio();
+        let (lo, hi) = product.ends();
+        let half = RBig::int(1) / RBig::int(2);
+        assert!(lo <= half && half <= hi && ulps(&product) < RBig::int(10_000));
+    }
 }

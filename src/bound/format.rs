@@ -108,4 +108,13 @@ mod tests {
         assert_eq!(Handed::from_id("versine"), Some(Handed::Versine));
         assert!(["", "Versine", "versine "].iter().all(|id| Handed::from_id(id).is_none()));
     }
+
+    /// IEEE 754, table 3.5: precisions of 11, 24 and 53 digits, of which rounding to nearest loses half a unit.
+    #[test]
+    fn units_are_those_of_the_standard() {
+        let units = Format::ALL.map(|format| libm::log2(format.unit_roundoff()));
+        assert_eq!(units, [-11.0, -24.0, -24.0, -53.0]);
+        let arguments = Handed::ALL.map(Handed::argument);
+        assert_eq!(arguments, [Argument::Cosine, Argument::Versine, Argument::Versine]);
+    }
 }

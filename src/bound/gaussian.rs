@@ -111,4 +111,50 @@ mod tests {
         let bell = bell_distance(16, 1e-7);
         assert!(!gauss.value.is_disjoint(bell.value), "{gauss:?} {bell:?}");
     }
+
+    #[test]
+    fn a_gaussian_is_called_by_its_argument() {
+        for kind in Gaussian::ALL {
+            let (formula, in_angle) = (kind.formula(), kind == Gaussian::Angle);
+            assert!(formula.starts_with("e^(-n") && formula.contains("θ²") == in_angle);
+            assert!(formula.contains("cos θ") != in_angle && kind.id().ends_with("angle") == in_angle);
+        }
+    }
+
+    /// By the angle on a grid: |e^(-n θ²/2) - cosⁿ θ| and |e^(-n (1 - cos θ)) - cosⁿ θ|, largest at the least n.
+    #[test]
+    fn distances_are_those_of_a_grid() {
+        for kind in Gaussian::ALL {
+            for n in [16.0, 40.0] {
+                let at = |theta: f64| {
+                    let versine = 2.0 * libm::pow(libm::sin(0.5 * theta), 2.0);
+                    let exponent = if kind == Gaussian::Angle { 0.5 * theta * theta } else { versine };
+                    libm::exp(-n * exponent) - libm::exp(n * libm::log1p(-versine))
+                };
+                let best = (0..10_000).map(|i| at(1.5 * f64::from(i) * 1e-4).abs()).fold(0.0, f64::max);
+                let found = gaussian_distance(kind, Interval::from(n), 1e-6);
+                let name = format!("{kind:?} {n}: {found:?} {best:e}");
+                assert!(found.value.hi() >= best && found.value.lo() <= best + 1e-6, "{name}");
+                assert!(found.value.width() < 1.1e-6 && (found.at[0] * n - 1.0).abs() < 1e-15, "{name}");
+                let x = found.at[1] / n;
+                let theta = if kind == Gaussian::Angle {
+                    libm::sqrt(2.0 * x)
+                } else {
+                    2.0 * libm::asin(libm::sqrt(0.5 * x))
+                };
+                assert!((at(theta) - best).abs() < 1e-5, "{name}");
+            }
+        }
+        for power in [1, 2, 5] {
+            let k = f64::from(power);
+            let at = |t: f64| libm::exp(-t) - libm::pow((1.0 - t / k).max(0.0), k);
+            let best = (0..20_000).map(|i| at(f64::from(i) * 1e-3).abs()).fold(0.0, f64::max);
+            let found = bell_distance(power, 1e-7);
+            assert!(found.value.hi() >= best && found.value.lo() <= best + 1e-6, "{power}: {found:?} {best}");
+            assert!(
+                found.value.width() < 2e-7 && (at(found.at[0]) - best).abs() < 1e-6,
+                "{power}: {found:?}"
+            );
+        }
+    }
 }

@@ -179,4 +179,76 @@ mod tests {
             assert!(slope.contains(exact) && slope.width() < 1e-14, "{slope:?}");
         }
     }
+
+    /// x³ y/(1 + y) - 2 x, its partial derivatives by hand; over a small box the range is its spread.
+    #[test]
+    fn derivatives_and_ranges_are_those_by_hand() {
+        let f = |[x, y]: [Gradient; 2]| x.power(3) * y / (Gradient::int(1) + y) - Gradient::int(2) * x;
+        let value = |x: f64, y: f64| x * x * x * y / (1.0 + y) - 2.0 * x;
+        for (x, y) in [(1.5, 0.5), (-0.7, 2.0), (0.3, -0.4)] {
+            let found = f(Gradient::variables([x, y].map(Interval::from)));
+            let slopes = [3.0 * x * x * y / (1.0 + y) - 2.0, x * x * x / ((1.0 + y) * (1.0 + y))];
+            let near =
+                |found: Interval, exact: f64| (found.mid() - exact).abs() < 1e-14 && found.width() < 1e-13;
+            assert!(near(found.value, value(x, y)), "{found:?}");
+            assert!((0..2).all(|i| near(found.slopes[i], slopes[i])), "{found:?} {slopes:?}");
+            for (dx, dy) in [(1e-5, 0.0), (0.0, 1e-5), (1e-5, 1e-5)] {
+                let range = Gradient::range(f, [Interval::new(x, x + dx), Interval::new(y, y + dy)]);
+                let corners = [value(x, y), value(x + dx, y), value(x, y + dy), value(x + dx, y + dy)];
+                let lo = corners.into_iter().fold(f64::INFINITY, f64::min);
+                let hi = corners.into_iter().fold(f64::NEG_INFINITY, f64::max);
+                assert!(range.lo() <= lo + 1e-15 && range.hi() >= hi - 1e-15, "{range:?} {lo} {hi}");
+                // The slopes' terms add in size.
+                let spread = slopes[0].abs() * dx + slopes[1].abs() * dy;
+                assert!(range.width() <= 1.001 * spread + 1e-13, "{range:?} {spread:e}");
+            }
+        }
+        assert_eq!(Gradient::variables([Interval::from(2.0); 2])[0].power(0), Gradient::int(1));
+        let point = Gradient::range(f, [1.5, 0.5].map(Interval::from));
+        assert!(point.contains(value(1.5, 0.5)) && point.width() < 1e-13);
+    }
+
+    /// (-ln(1 - x) - x/(1 - x))/x², by its series Σ (k - 1)/k x^(k-2) to 200 terms.
+    #[test]
+    fn growth_is_its_series() {
+        let series = |x: f64| -(2..200).rev().fold(0.0, |sum, k| sum * x + f64::from(k - 1) / f64::from(k));
+        for x in [1e-9, 0.01, 0.05, 0.0999, 0.11, 0.3, 0.6] {
+            let found = growth(Interval::from(x));
+            assert!((found.mid() / series(x) - 1.0).abs() < 1e-12 && found.width() < 1e-11, "{x}: {found:?}");
+        }
+        let found = growth(Interval::new(0.05, 0.3));
+        assert!((found.lo() - series(0.3)).abs() < 1e-11 && (found.hi() - series(0.05)).abs() < 1e-11);
+        assert_eq!(growth(Interval::from(1.0)), Interval::new(f64::NEG_INFINITY, -0.5));
+        // cosⁿ at a point: ∂/∂t = -cosⁿ/(1 - t m), ∂/∂m = cosⁿ (ln(1 - x) + x/(1 - x))/-m², x = t m.
+        for (t, m) in [(2.0, 0.05), (0.5, 0.1), (7.0, 0.125)] {
+            let [gm, gt] = Gradient::variables([m, t].map(Interval::from));
+            let found = Gradient::cos_n(gt, gm);
+            let (x, value) = (t * m, libm::exp(libm::log1p(-t * m) / m));
+            let by_m = value * (-libm::log1p(-x) - x / (1.0 - x)) / (m * m);
+            for (found, exact) in
+                [(found.value, value), (found.slopes[0], by_m), (found.slopes[1], -value / (1.0 - x))]
+            {
+                assert!((found.mid() - exact).abs() < 1e-11 && found.width() < 1e-11, "{found:?} {exact}");
+            }
+        }
+    }
+
+    /// x over y + x² in the first variable, and y over x: numerator and denominator both move.
+    #[test]
+    fn quotients_of_both_variables_differentiate() {
+        let (a, b) = (1.5, 0.5);
+        let [x, y] = Gradient::variables([a, b].map(Interval::from));
+        let below = b + a * a;
+        let slopes = [(below - 2.0 * a * a) / (below * below), -a / (below * below)];
+        for (found, exact) in [
+            (x / (y + x * x), slopes),
+            (y / x, [-b / (a * a), 1.0 / a]),
+            ((x - y) / (x + y), [2.0 * b / 4.0, -2.0 * a / 4.0]),
+        ] {
+            let near = |i: usize| {
+                (found.slopes[i].mid() - exact[i]).abs() < 1e-14 && found.slopes[i].width() < 1e-14
+            };
+            assert!(near(0) && near(1), "{found:?} {exact:?}");
+        }
+    }
 }

@@ -128,4 +128,61 @@ mod tests {
             assert!(short.value.lo() <= whole.value.hi() && short.at[0] <= 2.0);
         }
     }
+
+    /// Both suprema on a grid of t in doubles, over part of the range and the whole.
+    #[test]
+    fn excesses_are_those_of_a_grid() {
+        for (power, z, to) in
+            [(1, 0.5, f64::INFINITY), (2, 0.3, 2.5), (8, 0.1, f64::INFINITY), (4, 0.2, 100.0), (2, 0.01, 3.0)]
+        {
+            let [below, above] = scaled_bell_excess(power, Interval::from(z), to, 1e-7);
+            let at = |t: f64| libm::exp(-t) - libm::pow((1.0 - z * t).max(0.0), f64::from(power));
+            let (mut most, mut least) = (0.0_f64, 0.0_f64);
+            for i in 0..=10_000 {
+                let x = at(to.min(20.0) * f64::from(i) * 1e-4);
+                (most, least) = (most.max(x), least.min(x));
+            }
+            for (found, best, sign) in [(below, most, 1.0), (above, -least, -1.0)] {
+                let name = format!("{power} {z} {to}: {found:?} {best}");
+                assert!(found.value.hi() >= best && found.value.lo() <= best + 1e-5, "{name}");
+                assert!(found.value.width() < 2e-7, "{name}");
+                assert!((sign * at(found.at[0]) - best).abs() < 1e-5, "{name}");
+            }
+        }
+        // Beyond t = 60 what is left of the bell there bounds it: (1 - 60/1000)².
+        let [below, above] = scaled_bell_excess(2, Interval::from(1e-3), f64::INFINITY, 1e-7);
+        assert!(above.value.hi() >= 0.94 * 0.94 && below.value.lo() >= 0.0 && below.value.hi() < 1e-6);
+    }
+
+    /// The best scale on a grid of T; its error is no more than at Lyon's.
+    #[test]
+    fn the_best_scale_is_the_least_of_a_grid() {
+        for power in [1, 2, 8] {
+            let k = f64::from(power);
+            let worst = |reach: f64| {
+                let at = |t: f64| (libm::exp(-t) - libm::pow((1.0 - t / reach).max(0.0), k)).abs();
+                (0..=4000).map(|i| at(f64::from(i) * 4e-3)).fold(at(reach), f64::max)
+            };
+            // Steps of K/200 miss the least by 3 % at most.
+            let (mut least, mut place) = (f64::INFINITY, 0.0);
+            for i in 0..=200 {
+                let reach = k * (1.0 + f64::from(i) / 200.0);
+                let error = worst(reach);
+                if error < least {
+                    (least, place) = (error, reach);
+                }
+            }
+            let found = best_scale(power, 12);
+            let name = format!("{power}: {found:?} {least} {place}");
+            assert!(found.error.lo() <= least && found.error.hi() >= 0.97 * least, "{name}");
+            assert!(found.reach.contains(found.at) || found.reach.width() < 1e-2, "{name}");
+            assert!(
+                found.error.hi() <= least * 1.01 + 1e-4 && (found.at - place).abs() < 0.02 * place,
+                "{name}"
+            );
+            assert!((worst(found.at) - found.error.hi()).abs() < 1e-4, "{name}");
+            // A halving each: from 4 K + 4 - K, unless it ends before.
+            assert!(found.reach.width() <= 1.001 * (3.0 * k + 4.0) / 4096.0, "{name}");
+        }
+    }
 }

@@ -174,6 +174,7 @@ pub(super) fn widest<const D: usize>(cell: &[Interval; D], scale: &[f64; D]) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::integral::Field;
 
     #[test]
     fn a_plane_wave_is_bounded_in_two_dimensions() {
@@ -207,5 +208,62 @@ mod tests {
         let best = supremum(|[x]| *x, [Interval::new(0.0, 3.0)], 1e-12, 1000);
         assert_eq!(best.at, [3.0]);
         assert!(best.value.contains(3.0));
+    }
+
+    #[test]
+    fn candidates_compare_by_their_bounds() {
+        let of = |upper: f64, side: f64| Candidate { upper, cell: [Interval::from(side)] };
+        assert!(of(1.0, 2.0) == of(1.0, 3.0) && of(1.0, 2.0) != of(1.5, 2.0));
+        assert!(of(1.0, 2.0) < of(1.5, 0.0) && of(2.0, 0.0) > of(1.0, 9.0));
+        assert_eq!(of(1.0, 0.0).partial_cmp(&of(1.0, 1.0)), Some(Ordering::Equal));
+    }
+
+    #[test]
+    fn the_widest_side_is_so_by_its_scale() {
+        let cell = [Interval::new(0.0, 1.0), Interval::new(0.0, 3.0), Interval::new(5.0, 7.0)];
+        assert_eq!(widest(&cell, &[1.0, 1.0, 1.0]), 1);
+        assert_eq!(widest(&cell, &[1.0, 4.0, 3.0]), 0);
+        assert_eq!(widest(&cell, &[4.0, 9.0, 3.0]), 2);
+        // What cannot be halved does not count; of equals the first.
+        let thin = [Interval::new(0.0, 1.0), Interval::from(2.0), Interval::new(1.0, 1.0_f64.next_up())];
+        assert_eq!(widest(&thin, &[1.0, 1e-300, 1e-300]), 0);
+        assert_eq!(widest(&[Interval::new(0.0, 1.0); 3], &[1.0; 3]), 0);
+        assert_eq!(widest(&[thin[2], thin[1], cell[0]], &[1.0; 3]), 2);
+    }
+
+    /// -(x - 0.3)² - (y - 0.7)² is 0 at (0.3, 0.7), and found in the few hundred boxes that halving takes.
+    #[test]
+    fn a_top_is_found_with_few_boxes() {
+        let f = |[x, y]: &[Interval; 2]| {
+            -((*x - Interval::from(0.3)).power(2) + (*y - Interval::from(0.7)).power(2))
+        };
+        let unit = [Interval::new(0.0, 1.0), Interval::new(0.0, 1.0)];
+        let plain = supremum(f, unit, 1e-6, 100_000);
+        let seeded = supremum_near(f, unit, &[[0.3, 0.7], [0.5, 2.0]], 1e-6, 100_000);
+        let until = supremum_until(f, unit, |best, upper| upper <= best + 1e-6, 100_000);
+        assert_eq!(plain, until);
+        for found in [plain, seeded] {
+            assert!(found.value.lo() <= 0.0 && found.value.hi() >= 0.0 && found.value.width() <= 1.1e-6);
+            assert!((found.at[0] - 0.3).abs() < 2e-3 && (found.at[1] - 0.7).abs() < 2e-3, "{found:?}");
+            assert!(found.boxes < 400, "{found:?}");
+        }
+        assert_eq!(seeded.at, [0.3, 0.7]);
+        // Seeds outside are not looked at, though they would be higher.
+        let rising = |[x]: &[Interval; 1]| *x;
+        let found = supremum_near(rising, [Interval::new(0.0, 1.0)], &[[5.0]], 1e-6, 1000);
+        assert!(found.value.hi() <= 1.0 && found.at[0] <= 1.0, "{found:?}");
+        // Stopped at 9 boxes it says so, and still encloses.
+        let stopped = supremum(f, unit, 0.0, 9);
+        assert!(stopped.boxes == 9 && stopped.value.hi() >= 0.0, "{stopped:?}");
+        let lowest = infimum(f, unit, 1e-3, 100_000);
+        // -0.49 - 0.49 at (1, 0).
+        assert!(lowest.value.contains(-0.98) && lowest.value.width() < 2e-3, "{lowest:?}");
+        // A step as fine as doubles ends where no half is left.
+        let step = |[x]: &[Interval; 1]| if x.hi() > 0.5 { Interval::new(0.0, 1.0) } else { Interval::ZERO };
+        let found = supremum(step, [Interval::new(0.0, 1.0)], 0.0, 100_000);
+        assert!(found.value == Interval::new(0.0, 1.0) && found.boxes < 2000, "{found:?}");
+        let first =
+            supremum_split(f, unit, |_| vec![[0.3, 0.7]], |_| 0, |best, upper| upper <= best + 1.0, 1000);
+        assert!(first.at == [0.3, 0.7] && first.boxes < 10, "{first:?}");
     }
 }

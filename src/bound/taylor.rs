@@ -213,4 +213,110 @@ mod tests {
         let range = polynomial(&c, Interval::new(-1.0, 1.0)); // x - x²: -2 to 1/4
         assert!(range.contains(0.25) && range.hi() < 0.2501 && range.contains(-2.0) && range.lo() > -2.001);
     }
+
+    /// 1/(1 - x - y) has the coefficients (i + j)!/(i! j!), e^(x + 2y) those of both exponentials, 2ʲ/(i! j!).
+    #[test]
+    fn series_have_their_coefficients() {
+        let factorial = |k: usize| (1..=k).map(|i| i as f64).product::<f64>();
+        let [x, y] = Taylor::variables([Interval::ZERO; 2]);
+        let one = Taylor::int(1);
+        let quotient = one / (one - x - y);
+        let exponential = (x + y + y).exp();
+        // A quotient undone: (2 + x y - y)/(…) times what it was divided by.
+        let top = Taylor::int(2) + x * y - y;
+        let bottom = Taylor::int(4) + x - y * y * Taylor::int(3);
+        let back = top / bottom * bottom;
+        let near = |found: Interval, exact: f64| {
+            (found.mid() - exact).abs() < 1e-13 * exact.abs().max(1.0) && found.width() < 1e-12
+        };
+        for (i, j) in pairs() {
+            let binomial = factorial(i + j) / (factorial(i) * factorial(j));
+            assert!(near(quotient.0[i][j], binomial), "{i} {j}: {:?}", quotient.0[i][j]);
+            let exact = libm::pow(2.0, j as f64) / (factorial(i) * factorial(j));
+            assert!(near(exponential.0[i][j], exact), "{i} {j}: {:?}", exponential.0[i][j]);
+            assert!(near(back.0[i][j], top.0[i][j].mid()), "{i} {j}: {:?}", back.0[i][j]);
+        }
+        assert_eq!(pairs().count(), 21);
+        // Around (0.5, -1): x y² and its slopes y², 2 x y.
+        let [x, y] = Taylor::variables([0.5, -1.0].map(Interval::from));
+        let product = x * y * y;
+        assert!(
+            near(product.value(), 0.5) && near(product.slopes()[0], 1.0) && near(product.slopes()[1], -1.0)
+        );
+        assert!(near(product.0[0][2], 0.5) && near(product.0[1][2], 1.0) && near(product.0[1][1], -2.0));
+        // sin by its derivatives at f: sin, cos, -sin, … over k!.
+        let (sin, cos) = (libm::sin(0.5), libm::cos(0.5));
+        let outer = |k: usize| Interval::from([sin, cos, -sin, -cos, sin, cos][k] / factorial(k));
+        let composed = x.composed(outer);
+        assert!((0..=DEGREE).all(|k| near(composed.0[k][0], outer(k).mid())));
+    }
+
+    /// b x + a x² on [0, r]: 0, the end, or the vertex -b²/(4a) where it lies inside.
+    #[test]
+    fn parabolas_are_bounded_by_the_larger_of_end_and_vertex() {
+        for (b, a, r, exact) in [
+            (1.0, 0.0, 2.0, 2.0),
+            (1.0, 0.5, 2.0, 4.0),
+            (-1.0, 0.25, 2.0, 0.0),
+            (-1.0, 1.0, 2.0, 2.0),
+            (1.0, -1.0, 2.0, 0.25),
+            (3.0, -1.0, 2.0, 2.25),
+            (3.0, -1.0, 1.0, 2.0),
+            (3.0, -0.25, 1.0, 2.75),
+            (-3.0, -1.0, 1.0, 0.0),
+            (1.0, 1.0, 0.0, 0.0),
+            (1.0, 1.0, -1.0, 0.0),
+            (0.0, 0.0, 1.0, 0.0),
+        ] {
+            let found = upper_parabola(b, a, r);
+            assert!(found >= exact && found <= exact + 1e-14, "{b} {a} {r}: {found} {exact}");
+        }
+        assert_eq!(upper_parabola(f64::INFINITY, 1.0, 1.0), f64::INFINITY);
+    }
+
+    /// Up to the square together, each higher term by itself: x³, x⁴ and x⁵ over [-½, ½] and one side.
+    #[test]
+    fn polynomials_are_bounded_term_by_term() {
+        let of = |c: [f64; 6], lo: f64, hi: f64| polynomial(&c.map(Interval::from), Interval::new(lo, hi));
+        for (c, lo, hi, least, most) in [
+            ([2.0, 0.0, 0.0, 1.0, 0.0, 0.0], -0.5, 0.5, 1.875, 2.125),
+            ([2.0, 0.0, 0.0, 1.0, 0.0, 0.0], 0.0, 0.5, 2.0, 2.125),
+            // x · x³ and (x · x) · x³ by intervals.
+            ([0.0, 0.0, 0.0, 0.0, 1.0, 0.0], -0.5, 0.5, -0.0625, 0.0625),
+            ([0.0, 0.0, 0.0, 0.0, 0.0, 1.0], -0.5, 0.5, -0.03125, 0.03125),
+            ([0.0, 0.0, 0.0, 4.0, 2.0, 1.0], 0.0, 0.5, 0.0, 0.65625),
+            ([1.0, 3.0, 0.0, 0.0, 0.0, 0.0], -0.5, 0.25, -0.5, 1.75),
+            ([0.0, 0.0, 3.0, 0.0, 0.0, 0.0], -0.5, 0.25, 0.0, 0.75),
+            ([0.0, 0.0, -3.0, 0.0, 0.0, 0.0], -0.5, 0.25, -0.75, 0.0),
+            ([0.0, 1.0, 1.0, 0.0, 0.0, 0.0], -1.0, 0.5, -0.25, 0.75),
+            ([0.0, -1.0, 1.0, 0.0, 0.0, 0.0], -0.5, 1.0, -0.25, 0.75),
+            ([0.0, -1.0, -1.0, 0.0, 0.0, 0.0], -1.0, 0.5, -0.75, 0.25),
+        ] {
+            let found = of(c, lo, hi);
+            assert!(found.lo() <= least && found.lo() > least - 1e-14, "{c:?}: {found:?}");
+            assert!(found.hi() >= most && found.hi() < most + 1e-14, "{c:?}: {found:?}");
+        }
+        // Enclosed coefficients count at their worse ends.
+        let mut c = [Interval::ZERO; 6];
+        (c[1], c[2]) = (Interval::new(-1.0, 2.0), Interval::new(-3.0, 1.0));
+        let found = polynomial(&c, Interval::new(-0.5, 0.25));
+        // At -½: 1/2 + 1/4 and -1 - 3/4; at ¼: 1/2 + 1/16.
+        assert!((found.hi() - 0.75).abs() < 1e-14 && (found.lo() + 1.75).abs() < 1e-14, "{found:?}");
+    }
+
+    /// Below the last degree the coefficients at the middle count, of it those of the box.
+    #[test]
+    fn ranges_take_the_last_degree_from_the_box() {
+        let mut middle = Taylor::constant(Interval::from(1.0));
+        let mut over = Taylor::constant(Interval::new(-100.0, 100.0));
+        middle.0[1][0] = Interval::from(2.0);
+        over.0[1][0] = Interval::from(50.0);
+        (middle.0[2][3], over.0[2][3]) = (Interval::from(70.0), Interval::from(8.0));
+        let side = Interval::new(-0.5, 0.5);
+        // 1 + 2 x ± 8 x² y³, x² from 0: 1 - 1 - 1/4 and 1 + 1 + 1/4.
+        let found = Taylor::range(&middle, &over, [side, side]);
+        assert!((found.lo() + 0.25).abs() < 1e-13 && (found.hi() - 2.25).abs() < 1e-13, "{found:?}");
+        over.0[0][0] = Interval::new(0.0, 1.5);
+        assert_eq!(Taylor::range(&middle, &over, [side, side]), Interval::new(0.0, 1.5));
+    }
 }

@@ -82,3 +82,49 @@ impl BellTerms {
         region.with_tail(found)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// |e^(-9Q/2) - max(p, 0)^K| on a grid of Q.
+    #[test]
+    fn distances_are_those_of_a_grid() {
+        for (power, c) in
+            [(8, [1.0, 0.0, 0.0]), (4, [1.1, 0.4, 0.05]), (2, [0.95, 0.3, 0.04]), (1, [0.6, 0.1, 0.01])]
+        {
+            let bell = BellTerms { power, terms: c.map(Interval::from) };
+            let at = |q: f64| {
+                let z = 4.5 * q / f64::from(power);
+                let p = 1.0 - c[0] * z + c[1] * z * z - c[2] * z * z * z;
+                (libm::exp(-4.5 * q) - libm::pow(p.max(0.0), f64::from(power))).abs()
+            };
+            for (region, end) in [(WeightRegion::Ellipse, 1.0), (WeightRegion::Plane, 16.0)] {
+                let found = bell.distance(region, 1e-7);
+                let best = (0..=20_000).map(|i| at(end * f64::from(i) / 20_000.0)).fold(0.0, f64::max);
+                let name = format!("{power} {region:?}: {found:?} {best}");
+                assert!(found.value.hi() >= best && found.value.lo() <= best + 1e-5, "{name}");
+                assert!(found.value.width() < 2e-7 && (at(found.at[0]) - best).abs() < 1e-5, "{name}");
+            }
+            let rim = bell.distance(WeightRegion::Rim, 1e-7);
+            assert!(
+                (rim.value.mid() - at(1.0)).abs() < 1e-15 && rim.value.width() < 1e-14 && rim.at == [1.0]
+            );
+        }
+    }
+
+    /// Behind the search the Gaussian is left, e⁻⁷².
+    #[test]
+    fn the_plane_keeps_the_gaussians_tail() {
+        let nothing = Supremum { value: Interval::ZERO, at: [0.5], boxes: 3 };
+        let tail = WeightRegion::Plane.with_tail(nothing);
+        assert!((tail.value.hi() / libm::exp(-72.0) - 1.0).abs() < 1e-12 && tail.value.lo() == 0.0);
+        assert_eq!((tail.at, tail.boxes), ([0.5], 3));
+        assert_eq!(WeightRegion::Ellipse.with_tail(nothing), nothing);
+        assert_eq!(WeightRegion::Rim.with_tail(nothing), nothing);
+        for q in [0.0, 0.2, 1.0, 3.0] {
+            let found = gaussian(Interval::from(q));
+            assert!((found.mid() / libm::exp(-4.5 * q) - 1.0).abs() < 1e-14 && found.width() < 1e-14, "{q}");
+        }
+    }
+}

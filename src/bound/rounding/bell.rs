@@ -223,37 +223,4 @@ fn cube_root(x: Rounded) -> Option<Rounded> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// (8 + δ)^⅓ - 2 is δ/12 to first order; a unit in the last place of 2 is 4.4e-16.
-    #[test]
-    fn a_cube_root_hands_the_error_on() {
-        let of = |value: f64, error| cube_root(Rounded { value: Interval::from(value), error });
-        let exact = of(8.0, 0.0).unwrap();
-        assert!(exact.value.contains(2.0) && exact.value.width() < 1e-14);
-        assert!(exact.error >= 4.4e-16 && exact.error < 4.5e-16, "{}", exact.error);
-        let off = of(8.0, 1e-6).unwrap().error;
-        let least = libm::cbrt(8.0 + 1e-6) - 2.0;
-        assert!(off >= least && off < 1.001 * least, "{off} for {least}");
-        let negative = of(-27.0, 0.0).unwrap();
-        assert!(negative.value.contains(-3.0) && negative.value.width() < 1e-14);
-        assert!(of(0.0, 0.0).is_none() && of(1.0, 1.0).is_none() && of(1.0, 2.0).is_none());
-        assert!(of(1.0, 0.999).is_some());
-    }
-
-    #[test]
-    fn a_degree_vanishes_where_its_coefficient_has_a_zero() {
-        let vanishes = |square, m| {
-            let formula = BellFormula { power: 4, reach: [8.0, 0.0, 0.0], linear: [0.0; 3], square };
-            degree_may_vanish(&formula, m)
-        };
-        let m = Interval::new(0.0, 1.0);
-        // (m - ½)² with 0.01 more, and with 0.0001 less: two zeros.
-        assert!(!vanishes([0.26, -1.0, 1.0], m) && vanishes([0.2499, -1.0, 1.0], m));
-        // A zero at an end, inside and outside.
-        assert!(vanishes([-1.0, 1.0, 0.0], m) && vanishes([-0.3, 1.0, 0.0], m));
-        assert!(!vanishes([-1.1, 1.0, 0.0], m) && !vanishes([0.1, 1.0, 0.0], m));
-        assert!(!vanishes([-0.3, 1.0, 0.0], Interval::new(0.5, 1.0)));
-    }
-}
+mod tests;

@@ -123,28 +123,4 @@ fn gap_error(t: Interval, n: Interval, stored: Arithmetic, by: Arithmetic) -> f6
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::bound::Format;
-
-    /// The documented terms at places where the root is whole: √(6 t n) u = 12 u at n = 4, t = 6 and u at
-    /// n = 1, t = 1/6; 3 n u²/2 is 6 u² and 3/2 u². Arithmetic in doubles adds 5 · 2⁻⁵³ of it, which 1e-12 covers.
-    #[test]
-    fn a_gap_of_stored_vectors_is_off_by_its_terms() {
-        let (stored, by) = (Arithmetic::stored(Format::HalfStored), Arithmetic::of(Format::Double));
-        let u = 1.0 / 2048.0;
-        for (t, n, exact) in [(6.0, 4.0, 12.0 * u + 6.0 * u * u), (1.0 / 6.0, 1.0, u + 1.5 * u * u)] {
-            let found = gap_error(Interval::from(t), Interval::from(n), stored, by);
-            assert!(found >= exact && found < exact + 1e-12, "{found} for {exact}");
-        }
-        // Alike vectors of doubles in single precision: (1 + v)⁵ - 1 of t and underflow are left.
-        let (exact, single) = (Arithmetic::of(Format::Double), Arithmetic::of(Format::Single));
-        let found = gap_error(Interval::from(1.0), Interval::from(1.0), exact, single);
-        let v = single.unit;
-        assert!(found >= 5.0 * v && found < 5.0 * v + 11.0 * v * v + 1e-15, "{found}");
-        // At t = 0 underflow is what is left: four times n = 8 halves of the least number.
-        let half = Arithmetic::of(Format::Half);
-        let found = gap_error(Interval::from(0.0), Interval::from(8.0), exact, half);
-        assert!(found >= 32.0 * half.tiny && found < 32.0 * half.tiny + 1e-12, "{found}");
-    }
-}
+mod tests;

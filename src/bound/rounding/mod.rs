@@ -212,3 +212,8 @@ impl Kernel {
         }
     }
 }
+
+#[cfg(test)]
+mod count;
+#[cfg(test)]
+mod tests;

@@ -203,24 +203,4 @@ pub(super) fn squarings(cell: &Cell, given: &Argument, format: Format) -> Rounde
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::kernel::power::cos_n_whole;
-
-    /// At n = 849214966 the products in binary32 of 1 - 2⁻²⁴ round up more than down, by 4e-4 of the power; a cosine
-    /// that rounds to it may lie 2⁻²⁵ below, where cosⁿ is e⁻²⁵ of that.
-    #[test]
-    fn squarings_that_round_up_stay_inside_the_bound() {
-        let n = 849_214_966_u32;
-        let cosine = 1.0 - 2.999_999 / 33_554_432.0;
-        let computed = f64::from(cos_n_whole(cosine as f32, n));
-        let without = libm::exp(f64::from(n) * libm::log1p(-1.0 / 16_777_216.0));
-        assert!(cosine as f32 == 1.0 - f32::EPSILON / 2.0 && computed > 1.0003 * without);
-        let v = -f64::from(n) * libm::log1p(cosine - 1.0);
-        let range = Interval::from(f64::from(n));
-        let cell = Cell::new([range.ln(), Interval::from(libm::log1p(v))], range);
-        let given = Argument::new(&cell, Format::Single, Handed::Cosine);
-        let bound = squarings(&cell, &given, Format::Single);
-        assert!(bound.value.hi() < 1e-6 * without && bound.error > computed - bound.value.lo(), "{bound:?}");
-    }
-}
+mod tests;
