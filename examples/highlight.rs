@@ -1,7 +1,7 @@
 //! What do I see if six multiplications take the place of `pow` in a highlight?
 //!
 //! ```sh
-//! cargo run --release --example highlight -- highlight.png
+//! cargo run --release --example highlight -- highlight.png # target/highlight.png without a name
 //! ```
 //! Three spheres with the specular exponent 64, lit from the upper left: cosⁿ by `pow`, the lobe paper's cs_16, and
 //! the cubic lobe of the same cost. The kernels are all that a renderer would take from here.
@@ -15,7 +15,7 @@ const SIZE: usize = 240;
 const EXPONENT: f32 = 64.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let path = std::env::args().nth(1).unwrap_or_else(|| "highlight.png".to_owned());
+    let path = std::env::args().nth(1).unwrap_or_else(|| "target/highlight.png".to_owned());
     let cubic = CubicLobe::<4, f32>::new(EXPONENT);
     let lobes: [&dyn Fn(f32) -> f32; 3] =
         [&|c| cos_n(c, EXPONENT), &|c| cs_16(c, EXPONENT), &|c| cubic.at(c)];
@@ -53,7 +53,8 @@ fn sphere(x: usize, y: usize, lobe: &dyn Fn(f32) -> f32) -> f32 {
     let (to_light, half) = ([-0.48, 0.6, 0.64], [-0.265_007, 0.331_259, 0.905_538]); // half: L + (0, 0, 1), normalised
     let n_dot = |a: [f32; 3]| (normal[0] * a[0] + normal[1] * a[1] + normal[2] * a[2]).max(0.0);
     let n_l = n_dot(to_light);
-    // coef(n) f(N·H) reflects as much as falls in; a twentieth of it, as glass does.
+    // cosⁿ's factor for all three, so that they differ by their lobes alone (a renderer takes each lobe's own);
+    // a twentieth of the light, as glass reflects.
     let specular = 0.05 * cos_n_factor(Model::BlinnPhongModified, EXPONENT) * lobe(n_dot(half));
     0.02 + 4.0 * n_l * (0.05 + specular)
 }

@@ -117,6 +117,7 @@ fn a_file_is_answered() {
     ] {
         assert!(text.contains(sentence), "{sentence}\n{text}");
     }
+    assert!(answered(&[name, "--emit", "wgsl"], 0).contains("fn "));
     let json: Value = serde_json::from_str(&answered(&[name, "--json"], 0)).unwrap();
     assert_eq!((&json["version"], &json["is_met"]), (&Value::from(1), &Value::from(true)));
     assert_eq!(json["materials"].as_array().unwrap().len(), 3);

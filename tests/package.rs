@@ -72,13 +72,22 @@ fn features_are_documented() {
 #[test]
 fn the_guide_names_files_that_are_there() {
     let guide = read("CONTRIBUTING.md");
-    let mut named = 0;
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let (mut named, mut bare) = (0, 0);
+    // A bare name stands in the folder of the path before it, or in the root.
+    let mut folder = root.to_path_buf();
     for word in guide.split(['`', '(', ')', '\'']) {
-        let looks_like_a_path = word.contains('/') && !word.contains([' ', '\n', '*']);
-        if looks_like_a_path {
-            assert!(Path::new(env!("CARGO_MANIFEST_DIR")).join(word).exists(), "{word}");
+        let is_word = !word.contains([' ', '\n', '*']);
+        if is_word && word.contains('/') {
+            let path = root.join(word);
+            assert!(path.exists(), "{word}");
+            folder = if path.is_dir() { path } else { path.parent().unwrap().to_path_buf() };
             named += 1;
+        } else if is_word && [".rs", ".py", ".toml"].iter().any(|end| word.ends_with(end)) {
+            let there = folder.join(word).exists() || root.join(word).exists();
+            assert!(there, "{word} in {}", folder.display());
+            bare += 1;
         }
     }
-    assert!(named > 30, "{named} paths");
+    assert!(named > 30 && bare > 10, "{named} paths, {bare} names");
 }

@@ -32,7 +32,7 @@ pub(super) fn of_scene(answer: &SceneAnswer, extras: &[Piece], language: Languag
         match format {
             None => format = Some((need.format, &material.name)),
             Some((first, name)) if first != need.format => bail!(
-                "--emit: \"{name}\" is in {} and \"{}\" in {}: one text has one float",
+                "--emit: \"{name}\" is in {} and \"{}\" in {}: one text has one float; keep one's materials in the file",
                 first.id(),
                 material.name,
                 need.format.id()

@@ -35,6 +35,10 @@ Of a claim as a whole it is said that it **holds**, that it **does not hold**, o
 ways to read the print make it true, four do not. What holds *vacuously* says nothing, as a negative number is less than any bound, \
 and is counted apart; readings that are definitions are not counted.
 
+What follows \"at most\" is rounded up, other numbers to the nearest digit, so the same bound may end in one more. A proved bound stands \
+a little above the value itself, by what its search was told to leave; a largest error is one thing up to n = 1024, another for \
+every n and a third in the limit n → ∞, and each place says which.
+
 Words that recur: *residual*, how much light is gained (above 0) or lost by a factor, 2π coef(n) Int(n) - 1; *support*, \
 where a bell is not 0; *RDF*, *NDF* and *heightfield*, whether the lobe is the reflection itself or the distribution of a rough surface's normals, and how it \
 is normalised; *modified*, that the factor times the lobe is the reflectance f itself (else it is f cos θ); *one-sided*, a fit that never gains energy; \

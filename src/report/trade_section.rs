@@ -69,8 +69,8 @@ fn shown(page: &Page, found: &str, measured: &Measured, text: &mut String) {
                 let _ = writeln!(text, "{row}");
             }
             let _ = write!(text, "{source}\n</details>\n\n");
-        } else if let Some(heading) = heading(&line) {
-            let _ = writeln!(text, "#### {}", prose(heading));
+        } else if let Some((level, heading)) = heading(&line) {
+            let _ = writeln!(text, "##{} {}", "#".repeat(level), prose(heading));
         } else if let Some((alt, plot)) = image(&line) {
             let _ = write!(text, "![{alt}](measured/{plot})\n{source}");
         } else {
@@ -79,9 +79,11 @@ fn shown(page: &Page, found: &str, measured: &Measured, text: &mut String) {
     }
 }
 
-/// A heading's words, whatever its level.
-fn heading(line: &str) -> Option<&str> {
-    line.starts_with('#').then(|| line.trim_start_matches('#'))?.strip_prefix(' ')
+/// A heading's level, of which two more leave room for the section's own, and its words.
+fn heading(line: &str) -> Option<(usize, &str)> {
+    let words = line.trim_start_matches('#');
+    let level = line.len() - words.len();
+    Some(((1..=4).contains(&level).then_some(level)?, words.strip_prefix(' ')?))
 }
 
 /// `![alt](file)` in a line of its own, the file beside the page.
@@ -112,9 +114,9 @@ mod tests {
 
     #[test]
     fn a_page_is_shown_within_the_report() {
-        let page = b"# Title\n\nWords.\n\n![Plot](trade.png)\n\n## Part\n\n| a |\n|---|\n| 1 |\n\nEnd.\n";
+        let page = b"# Title\n\nWords.\n\n![Plot](trade.png)\n\n## Part\n\n### Piece\n\n| a |\n|---|\n| 1 |\n\nEnd.\n";
         let text = section_of(&[("trade.md", page), ("trade-one.csv", b"a\n1\n")]);
-        assert!(!text.contains("# Title") && text.contains("\n#### Part\n"), "{text}");
+        assert!(!text.contains("# Title") && text.contains("\n#### Part\n\n##### Piece\n"), "{text}");
         assert!(text.contains("![Plot](measured/trade.png)\n\n*Source:* "), "{text}");
         assert!(
             text.contains("| 1 |\n\n*Source:* [reports/measured/trade-one.csv](measured/trade-one.csv)"),

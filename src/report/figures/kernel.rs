@@ -56,8 +56,8 @@ pub(super) fn frontier(exponential: &[ExponentialBell], cosine: &[CosineBell]) -
         series: vec![
             points("the papers': cs_16", 3, of_cosine(&|row| row.printed, from_cos)),
             joined("the same, rescaled", 2, of_cosine(&is_rescaled, from_cos)),
-            points("degree 3, counted from 1 − cos θ", 4, by_difference),
-            points("degree 3, counted from cos θ", 0, cubic),
+            joined("degree 3, counted from 1 − cos θ", 4, by_difference),
+            joined("degree 3, counted from cos θ", 0, cubic),
         ],
         ..empty(operations("operations from cos θ"), error("largest error, proved"))
     };

@@ -110,7 +110,7 @@ fn footprints(study: &Stability) -> Figure {
     };
     let mut charts = Vec::new();
     for format in [Format::Single, Format::Double] {
-        let y = Axis::new("largest error of Q ≤ 1", Scale::Log10, (floor(format), 10.0));
+        let y = Axis::new("largest error of Q ≤ 1", Scale::Log10, (floor(format), 1e5));
         let x = Axis {
             ticks: powers(0, 6, 1),
             ..Axis::new("aspect of the ellipse, major semi-axis 1 texel", Scale::Log10, (1.0, 1e6))
@@ -122,7 +122,7 @@ fn footprints(study: &Stability) -> Figure {
         });
     }
     for format in [Format::Single, Format::Double] {
-        let y = Axis::new("largest error of Q ≤ 1", Scale::Log10, (floor(format), 10.0));
+        let y = Axis::new("largest error of Q ≤ 1", Scale::Log10, (floor(format), 1e5));
         let x = Axis {
             ticks: powers(-20, 20, 10),
             ..Axis::new("major semi-axis [texels], aspect 100", Scale::Log10, (1e-20, 1e20))
