@@ -209,4 +209,10 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn an_integral_is_described_by_its_model_lobe_and_limit() {
+        let case = Case { model: Model::Phong, lobe: Lobe::Cs16, limit: Limit::Paper };
+        assert_eq!(ScaledIntegral::describe(&case), "phong, cs16, paper");
+    }
 }

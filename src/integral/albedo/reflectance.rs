@@ -187,3 +187,20 @@ impl Reflectance {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_distribution_of_normals_is_titled_by_its_use() {
+        for (reflectance, end) in [
+            (Reflectance::Phong, "Phong (RDF)"),
+            (Reflectance::Ndf, ", as printed"),
+            (Reflectance::HeightfieldMicrofacet, ", V-cavities"),
+        ] {
+            let title = reflectance.title();
+            assert!(title.ends_with(end) && title.starts_with(reflectance.model().title()), "{title}");
+        }
+    }
+}

@@ -167,3 +167,22 @@ impl<F: Real> Footprint<F> {
         row.least + row.curvature * off * off
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernel::pixel::{Jacobian, Padding};
+
+    #[test]
+    fn exchanging_the_axes_exchanges_the_bounds_and_keeps_q() {
+        let j = Jacobian { ux: 3.0_f64, vx: 5.0, uy: 4.0, vy: 12.0 };
+        let footprint = Footprint::of(j, Padding::Plain);
+        let swapped = footprint.swapped();
+        assert_eq!((footprint.bounds(), swapped.bounds()), ((5.0, 13.0), (13.0, 5.0)));
+        // (u, v) = (7, 1): det M = (3·12 - 4·5)² = 256 and Q = (vv u² - 2 uv u v + uu v²)/det M.
+        let q = (169.0 * 49.0 - 2.0 * 63.0 * 7.0 + 25.0) / 256.0;
+        for found in [footprint.q(7.0, 1.0), swapped.q(1.0, 7.0)] {
+            assert!((found - q).abs() < 1e-13 * q, "{found} {q}");
+        }
+    }
+}
