@@ -3,12 +3,15 @@
 
 use super::difference::reciprocal;
 use super::{Curve, Extreme, Extremes, Interval, Residual, curved_range, supremum_until};
-use crate::integral::ScaledIntegral;
+use crate::integral::{Field, ScaledIntegral};
+use dashu_ratio::RBig;
 
 /// Boxes after which a search settles for what it has.
 const MOST_BOXES: usize = 20_000;
 /// The relative width asked of an enclosure.
 const DIGITS: f64 = 1e-6;
+/// The relative width of a box that is a place.
+const NEAR: f64 = 1e-9;
 /// Where the size and the rounding of a residual are looked at: from·2^k, k below this.
 const LOOKS: i32 = 12;
 
@@ -26,10 +29,28 @@ impl<I: ScaledIntegral> Residual<I> {
         Extremes { max: self.largest(from, to), min: self.smallest(from, to) }
     }
 
+    /// The same where an end of the range is a number that is no double: known to lie between these. What is
+    /// reached is reached inside the range.
+    ///
+    /// ```
+    /// use bellfit::{bound::{Interval, Residual}, integral::{Case, Limit, Lobe}, kernel::model::Model};
+    /// let case = Case { model: Model::Phong, lobe: Lobe::CosN, limit: Limit::Support };
+    /// // 16/(n + 1) - 1 is 0 at n = 15: from a little later on it is not reached.
+    /// let residual = Residual::new(case, &"16/(2*pi)".parse()?);
+    /// let found = residual.over_enclosed(Interval::new(15.0, 15.0_f64.next_up()), Interval::from(64.0));
+    /// assert!(found.max.value.lo() < 0.0 && found.max.value.hi() == 0.0);
+    /// # Ok::<(), bellfit::bound::FormulaError>(())
+    /// ```
+    pub fn over_enclosed(&self, from: Interval, to: Interval) -> Extremes {
+        let ends = (from, to);
+        Extremes { max: self.one_extreme(ends, Side::Largest), min: self.one_extreme(ends, Side::Smallest) }
+    }
+
     /// Encloses the largest residual over every real n in [from, to], `to` up to ∞.
     ///
     /// Branch and bound in m = 1/n with first and second derivatives, to six digits of the residual's size or
-    /// to its rounding, whichever is coarser; and on until the sign is known, or rounding hides it. So
+    /// to its rounding, whichever is coarser; and on until the sign is known, or rounding hides it, which
+    /// [`Residual::stays_at_most`] may decide then. So
     /// `value.hi() <= 0` certifies that the factor never gains energy, and `value.lo() > 0`, reached at
     /// `n`, refutes it.
     ///
@@ -45,17 +66,36 @@ impl<I: ScaledIntegral> Residual<I> {
     /// # Ok::<(), bellfit::bound::FormulaError>(())
     /// ```
     pub fn largest(&self, from: f64, to: f64) -> Extreme {
-        self.one_extreme((from, to), Side::Largest)
+        self.one_extreme((from.into(), to.into()), Side::Largest)
     }
 
     /// Encloses the smallest residual, the same way.
     pub fn smallest(&self, from: f64, to: f64) -> Extreme {
-        self.one_extreme((from, to), Side::Smallest)
+        self.one_extreme((from.into(), to.into()), Side::Smallest)
     }
 
-    fn one_extreme(&self, (from, to): (f64, f64), side: Side) -> Extreme {
-        if self.is_exact(from) {
-            return Extreme { value: Interval::from(0.0), n: from };
+    /// Where no box is bounded, however small: an n in [from, to] near a pole, or one at which numbers leave the
+    /// doubles.
+    pub fn unbounded_near(&self, from: f64, to: f64) -> Option<f64> {
+        let over = |m: Interval| {
+            let curve = |m: Curve| self.cancelled(from, &m, |c| Curve::constant(*c));
+            curved_range(curve, |m| self.cancelled(from, &Interval::from(m), |c| *c), m)
+        };
+        let is_open = |m: &Interval| !over(*m).width().is_finite();
+        let mut open = Some(reciprocal(Interval::new(from, to))).filter(is_open)?;
+        // A pole of a few doubles' width; nearer no n tells more.
+        while open.width() > NEAR * open.hi() {
+            let (less, more) = open.bisect();
+            // Of two the one of smaller n.
+            open = [more, less].into_iter().find(is_open)?;
+        }
+        Some((1.0 / open.mid()).clamp(from, to))
+    }
+
+    fn one_extreme(&self, (first, last): (Interval, Interval), side: Side) -> Extreme {
+        let ((from, to), inside) = ((first.lo(), last.hi()), (first.hi(), last.lo()));
+        if self.is_exact(from, to) {
+            return Extreme { value: Interval::ZERO, n: inside.0 };
         }
         let domain = reciprocal(Interval::new(from, to));
         // A residual that is 0 at an end must not be told as 0 and rounding.
@@ -66,7 +106,9 @@ impl<I: ScaledIntegral> Residual<I> {
         };
         let at = |n: f64| over(reciprocal(n.into()));
         let looks = (0..LOOKS).map(|k| libm::scalbn(from, k)).take_while(|&n| n < to).chain([to]);
-        let (size, rounding) = looks.map(at).fold((0.0_f64, 0.0_f64), |(size, rounding), v| {
+        // What overflows says nothing of the others.
+        let finite = looks.map(at).filter(|v| v.width().is_finite());
+        let (size, rounding) = finite.fold((0.0_f64, 0.0_f64), |(size, rounding), v| {
             (size.max(v.abs().hi()), rounding.max(v.width()))
         });
         // What a point's enclosure is wide no search can beat; a box's is somewhat wider.
@@ -82,16 +124,20 @@ impl<I: ScaledIntegral> Residual<I> {
             if side == Side::Largest { found } else { -found }
         };
         let found = supremum_until(oriented, [domain], enough, MOST_BOXES);
-        // The domain is rounded outward: the end that is reached is taken at an n of the range.
-        let inside = (1.0 / found.at[0]).clamp(from, to);
+        // The domain is rounded outward: what is reached is taken at an n of the range, if doubles have one.
+        let has_double = inside.0 <= inside.1;
+        let n = if has_double { (1.0 / found.at[0]).clamp(inside.0, inside.1) } else { inside.0 };
+        let reached = if has_double { at(n) } else { over(domain) };
         let value = if side == Side::Largest {
-            Interval::new(at(inside).lo(), found.value.hi())
+            let hidden = reached.lo() <= 0.0 && found.value.hi() > 0.0;
+            let never = hidden && self.stays_at_most(&RBig::int(0), from, to);
+            Interval::new(reached.lo(), if never { 0.0 } else { found.value.hi() })
         } else {
-            Interval::new(-found.value.hi(), at(inside).hi())
+            Interval::new(-found.value.hi(), reached.hi())
         };
         // Ties within the enclosure go to the smallest n.
-        let n = [from, to].into_iter().find(|&n| !at(n).is_disjoint(value)).unwrap_or(inside);
-        Extreme { value, n }
+        let ties = |n: &f64| has_double && !at(*n).is_disjoint(value);
+        Extreme { value, n: [inside.0, inside.1].into_iter().find(ties).unwrap_or(n) }
     }
 }
 

@@ -1,10 +1,14 @@
 //! Int(n) of bells by a rule that is exact for them, over the same arithmetic as the closed forms of cs_16.
 
-use super::{EnclosedRule, Interval, PolynomialBell};
+use super::{EnclosedRule, Interval, PolynomialBell, reciprocal};
 use crate::integral::{Edge, Field, Limit, ScaledIntegral, scaled_versine};
 use crate::kernel::cubic::BellFormula;
 use crate::kernel::model::{Convention, LobeAngle, Model};
 use dashu_ratio::RBig;
+
+/// How far an n is looked for from which on a limit lies beyond the bell, and by how many halvings.
+const FARTHEST: f64 = 65_536.0;
+const HALVINGS: u32 = 64;
 
 /// The integral of one bell under one model, on the lobe's support cut by the hemisphere unless another
 /// [`Limit`] is asked for.
@@ -113,6 +117,30 @@ impl LobeIntegral {
     }
 }
 
+impl LobeIntegral {
+    /// The n ≥ `held` from which on the limit 6/√n or √(6/n) lies beyond the bell's end, if it ever does.
+    ///
+    /// t at the limit never falls as n grows: it is n times a constant up to the hemisphere's edge, and then
+    /// n (1 - cos (c/√n)), because (1 - cos x)/x² falls.
+    fn limit_beyond(&self, reach: f64, held: f64) -> Option<f64> {
+        let square = if self.limit == Limit::Paper { 36.0 } else { 6.0 };
+        if (Interval::half_pi_squared() * Interval::from(held)).hi() <= square {
+            return Some(held); // the limit is the hemisphere's edge there, and so no nearer later
+        }
+        let beyond =
+            |n: f64| scaled_versine(self.model, self.limit, &reciprocal(Interval::from(n))).lo() >= reach;
+        let (mut before, mut from) = (held, FARTHEST);
+        if !beyond(from) {
+            return None;
+        }
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (before + from);
+            if beyond(middle) { from = middle } else { before = middle }
+        }
+        Some(from)
+    }
+}
+
 impl ScaledIntegral for LobeIntegral {
     fn model(&self) -> Model {
         self.model
@@ -157,18 +185,23 @@ impl ScaledIntegral for LobeIntegral {
         reach.clone() * end.clone() * self.rule.integrate(integrand)
     }
 
-    /// Where a polynomial's zero is rational and the hemisphere holds the whole bell: T times the moments of
+    /// Where a polynomial's zero is rational and hemisphere and limit hold the whole bell: T times the moments of
     /// p^K in powers of T m.
     fn rational<T: Field>(&self, m: &T, _h: &T) -> Option<(f64, T)> {
         let Shape::Polynomial { bell, moments: Some(moments) } = &self.shape else { return None };
         let reach = bell.rational_reach()?;
-        let from = match (self.limit, self.model.angle()) {
-            (Limit::Support | Limit::ExactZero, LobeAngle::Full) => bell.reach().hi(),
-            (Limit::Support, LobeAngle::Half) => {
+        // From here on the hemisphere holds the whole bell.
+        let held = match self.model.angle() {
+            LobeAngle::Full => bell.reach().hi(),
+            LobeAngle::Half => {
                 let root = (Interval::from(1.0) / Interval::from(2.0)).square_root();
                 (bell.reach() / (Interval::from(1.0) - root)).hi()
             }
-            _ => return None,
+        };
+        let from = match (self.limit, self.model.angle()) {
+            (Limit::Support, _) | (Limit::ExactZero, LobeAngle::Full) => held,
+            (Limit::ExactZero, LobeAngle::Half) => return None,
+            (Limit::Paper | Limit::Card, _) => self.limit_beyond(bell.reach().hi(), held)?,
         };
         let reach: T = rational(&reach);
         let s = m.clone() * reach.clone();

@@ -4,6 +4,7 @@
 mod approximation;
 mod bell;
 mod clipped;
+mod compiled;
 mod curve;
 mod difference;
 mod digits;
@@ -21,6 +22,7 @@ mod integral;
 mod integrals;
 mod interval;
 mod jet;
+mod level;
 mod lobe_integral;
 mod measure;
 mod multivariate;

@@ -1,8 +1,10 @@
 //! The residual 2π coef(n) Int(n) - 1 of a factor, bounded over every integer and over every
 //! real n of a range.
 
+use super::compiled::Compiled;
 use super::difference::reciprocal;
-use super::{Coefficient, Exponents, Formula, Interval, Polynomial, enclose, exact};
+use super::level::vanishes_nowhere;
+use super::{Formula, Interval, enclose, exact};
 use crate::integral::{Case, Edge, Field, ScaledIntegral};
 use dashu_ratio::RBig;
 
@@ -51,7 +53,7 @@ impl Extremes {
 }
 
 /// The highest power of ½ that is worked out exactly.
-const MOST_HALVINGS: f64 = 4096.0;
+pub(super) const MOST_HALVINGS: f64 = 4096.0;
 
 /// A factor held against one integral.
 ///
@@ -67,8 +69,10 @@ const MOST_HALVINGS: f64 = 4096.0;
 #[derive(Clone, Debug)]
 pub struct Residual<I = Case> {
     integral: I,
-    /// From which n on the residual is 0 identically, if it ever is.
-    exact_from: Option<f64>,
+    /// 2π coef(n), as it is written.
+    pub(super) written: Formula,
+    /// The residual as one quotient with the n from which on it is that, where the integral is rational.
+    pub(super) formula: Option<(f64, Formula)>,
     /// 2π coef(n).
     factor: Compiled<Interval>,
     quotient: Option<Quotient>,
@@ -99,91 +103,30 @@ fn residual_formula(integral: &impl ScaledIntegral, factor: &Formula) -> Option<
     Some((from, product - Formula::int(1))).filter(|(_, r)| !r.denominator.is_zero())
 }
 
-/// A quotient of polynomials in n, 2^(-n/2) and π with its coefficients read into one arithmetic.
-#[derive(Clone, Debug)]
-struct Compiled<C> {
-    numerator: Vec<(C, Exponents)>,
-    numerator_degree: u32,
-    denominator: Vec<(C, Exponents)>,
-    denominator_degree: u32,
-    has_power_of_two: bool,
-    pi: C,
-}
-
-impl<C> Compiled<C> {
-    fn new(factor: &Formula, compile: impl Fn(&Polynomial) -> Vec<(C, Exponents)>, pi: C) -> Self {
-        let Formula { numerator, denominator } = factor;
-        Compiled {
-            numerator_degree: numerator.degree(0),
-            denominator_degree: denominator.degree(0),
-            has_power_of_two: numerator.degree(1) + denominator.degree(1) > 0,
-            numerator: compile(numerator),
-            denominator: compile(denominator),
-            pi,
-        }
-    }
-
-    /// The quotient times m^factors at m = 1/n: both polynomials times the power of m that clears their
-    /// poles. h is asked for only where there is a power of 2.
-    fn at<T: Field>(&self, m: &T, factors: u32, lift: impl Fn(&C) -> T, h: impl Fn() -> T) -> T {
-        let h = if self.has_power_of_two { h() } else { T::int(0) };
-        let sum = |terms: &[(C, Exponents)], degree: u32| {
-            terms.iter().fold(T::int(0), |total, (c, e)| {
-                let mut term = lift(c) * m.power(degree - e[0]);
-                if e[1] > 0 {
-                    term = term * h.power(e[1]);
-                }
-                if e[2] > 0 {
-                    term = term * lift(&self.pi).power(e[2]);
-                }
-                total + term
-            })
-        };
-        let quotient =
-            sum(&self.numerator, self.numerator_degree) / sum(&self.denominator, self.denominator_degree);
-        let (up, down) = (factors + self.denominator_degree, self.numerator_degree);
-        if up >= down { quotient * m.power(up - down) } else { quotient / m.power(down - up) }
-    }
-}
-
-impl Compiled<RBig> {
-    /// What the quotient is divided by at m.
-    fn denominator_at(&self, m: &RBig, h: &RBig) -> RBig {
-        let terms = self.denominator.iter();
-        terms.fold(RBig::int(0), |total, (c, e)| {
-            total + c.clone() * m.power(self.denominator_degree - e[0]) * h.power(e[1])
-        })
-    }
-}
-
-impl Compiled<Interval> {
-    fn in_intervals(factor: &Formula) -> Self {
-        Compiled::new(factor, Polynomial::compile, Coefficient::pi())
-    }
-}
-
 impl<I: ScaledIntegral> Residual<I> {
     /// The residual of `factor` for `integral`.
     pub fn new(integral: I, factor: &Formula) -> Self {
-        let residual = residual_formula(&integral, factor);
-        let exact_from = residual.as_ref().filter(|(_, r)| r.numerator.is_zero()).map(|(from, _)| *from);
-        let exactly = |p: &Polynomial| p.terms().map(|(e, c)| (c.clone(), *e)).collect();
-        let quotient = residual.map(|(from, r)| {
-            let free_of_pi = r.numerator.degree(2) + r.denominator.degree(2) == 0;
-            let rationals = free_of_pi.then(|| Compiled::new(&r, exactly, RBig::int(0)));
-            Quotient { from, intervals: Compiled::in_intervals(&r), rationals }
+        let formula = residual_formula(&integral, factor);
+        let quotient = formula.as_ref().map(|(from, r)| Quotient {
+            from: *from,
+            intervals: Compiled::in_intervals(r),
+            rationals: Compiled::in_rationals(r),
         });
-        let factor = Compiled::in_intervals(&factor.times_two_pi());
-        Residual { integral, exact_from, factor, quotient }
+        let written = factor.times_two_pi();
+        Residual { integral, factor: Compiled::in_intervals(&written), written, formula, quotient }
     }
 
-    pub(super) fn is_exact(&self, n: f64) -> bool {
-        self.exact_from.is_some_and(|from| n >= from)
+    /// Whether the residual is 0 at every n of [from, to]; at a pole of the factor it is nothing, whatever
+    /// cancels.
+    pub(super) fn is_exact(&self, from: f64, to: f64) -> bool {
+        let vanishes =
+            self.formula.as_ref().is_some_and(|(first, r)| from >= *first && r.numerator.is_zero());
+        vanishes && vanishes_nowhere(&self.written.denominator, from, to)
     }
 
     /// The residual at one n.
     pub fn at(&self, n: f64) -> Interval {
-        if self.is_exact(n) {
+        if self.is_exact(n, n) {
             return Interval::from(0.0);
         }
         let m = reciprocal(Interval::from(n));
@@ -205,12 +148,13 @@ impl<I: ScaledIntegral> Residual<I> {
         }
     }
 
-    /// The same at one m in exact arithmetic: at m = 0 and at even n, so that a residual of 0 at an end
+    /// The same at one m in exact arithmetic: at m = 0, at even n, and
+    /// at any where there is no 2^(-n/2), so that a residual of 0 at an end
     /// of a range is known to be 0.
     pub(super) fn in_rationals(&self, m: f64) -> Option<Interval> {
         let quotient = self.quotient.as_ref()?;
         let compiled = quotient.rationals.as_ref()?;
-        let h = if m == 0.0 {
+        let h = if m == 0.0 || !compiled.has_power_of_two {
             RBig::int(0)
         } else {
             let half_n = 0.5 / m;

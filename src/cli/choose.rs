@@ -1,6 +1,6 @@
 //! `bellfit choose`.
 
-use super::{Outcome, emit, known, print};
+use super::{Outcome, emit, known, print, reason};
 use crate::bound::{ELEMENTARY_ULPS, Format, Handed, Measure};
 use crate::choose::{
     ANGLE_WORDS, Costs, ENERGY_ERROR, ENERGY_WORDS, EXAMPLE_NEEDS, EnergyDemand, Exponents, FLOOR, Need,
@@ -162,10 +162,7 @@ fn read(path: &Path) -> Result<String> {
     if path.is_dir() {
         bail!("{name}: a folder, not a file");
     }
-    let bytes = std::fs::read(path).map_err(|error| {
-        let text = error.to_string();
-        anyhow!("{name}: {}", text.split(" (os error").next().unwrap_or(&text).to_lowercase())
-    })?;
+    let bytes = std::fs::read(path).map_err(|error| anyhow!("{name}: {}", reason(&error)))?;
     String::from_utf8(bytes).map_err(|_| anyhow!("{name}: not UTF-8 text"))
 }
 

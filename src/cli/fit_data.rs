@@ -1,6 +1,6 @@
 //! `bellfit fit --data`.
 
-use super::{Outcome, known, print};
+use super::{Outcome, known, print, reason};
 use crate::fit::measured::{Comparison, EXAMPLE_DATA, Family, Samples, Unit};
 use crate::report::{Artifacts, data_fit_figure, data_fit_json, data_fit_lines};
 use anyhow::{Result, anyhow, bail};
@@ -97,10 +97,7 @@ fn read(path: &Path) -> Result<Vec<u8>> {
     if path.is_dir() {
         bail!("{name}: a folder, not a file of samples");
     }
-    std::fs::read(path).map_err(|error| {
-        let text = error.to_string();
-        anyhow!("{name}: {}", text.split(" (os error").next().unwrap_or(&text).to_lowercase())
-    })
+    std::fs::read(path).map_err(|error| anyhow!("{name}: {}", reason(&error)))
 }
 
 fn format(path: &Path) -> Result<Format> {

@@ -95,6 +95,12 @@ fn print(text: &str) -> Result<()> {
     }
 }
 
+/// Why a file could not be read, in a few words: without the number that the system has for it.
+fn reason(error: &std::io::Error) -> String {
+    let text = error.to_string();
+    text.split(" (os error").next().unwrap_or(&text).to_lowercase()
+}
+
 /// The word, or the words there are.
 fn known<'a, T>(found: Option<T>, known: impl IntoIterator<Item = &'a str>) -> Result<T, String> {
     found.ok_or_else(|| format!("known are {}", known.into_iter().collect::<Vec<_>>().join(", ")))

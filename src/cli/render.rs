@@ -1,6 +1,6 @@
 //! `bellfit render`.
 
-use super::{Outcome, print};
+use super::{Outcome, print, reason};
 use crate::report::{filter_files, filter_lines, measured_files};
 use crate::scene::{
     BUILT_IN, Comparison, EXAMPLE_SCENE, Pattern, Scene, SceneFile, Technique, Transfer, View, time_lookups,
@@ -129,8 +129,7 @@ fn read(path: &Path) -> Result<(Scene, Vec<Technique>)> {
         bail!("{name}: a folder, not a scene file");
     }
     let bytes = std::fs::read(path).map_err(|error| {
-        let text = error.to_string();
-        let reason = text.split(" (os error").next().unwrap_or(&text).to_lowercase();
+        let reason = reason(&error);
         anyhow!("{name}: {reason}; built-in scenes are {}", BUILT_IN.join(", "))
     })?;
     let text = String::from_utf8(bytes).map_err(|_| anyhow!("{name}: not UTF-8 text"))?;

@@ -1,6 +1,6 @@
 //! `bellfit verify`.
 
-use super::{Outcome, print};
+use super::{Outcome, print, reason};
 use crate::paper::schema::SCHEMA;
 use crate::paper::{ClaimsFile, EXAMPLE};
 use crate::report::{judgement_lines, judgements_json};
@@ -51,10 +51,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome> {
     if path.is_dir() {
         return Err(anyhow!("{name}: a folder, not a claims file"));
     }
-    let told = |error: std::io::Error| {
-        let text = error.to_string();
-        anyhow!("{name}: {}", text.split(" (os error").next().unwrap_or(&text).to_lowercase())
-    };
+    let told = |error: std::io::Error| anyhow!("{name}: {}", reason(&error));
     let length = std::fs::metadata(path).map_err(told)?.len();
     if length > LONGEST {
         return Err(anyhow!("{name}: {length} bytes; a claims file has at most {LONGEST}"));

@@ -38,7 +38,8 @@ pub(super) struct Continuum<'a, I> {
 impl<'a, I: ScaledIntegral> Continuum<'a, I> {
     pub(super) fn new(integral: &'a I, reals: Reals) -> Self {
         let divisor = integral.divisor();
-        let (from, to) = (reals.from(), reals.to());
+        // Every sample is an n of the range: what is proved of one is proved of it.
+        let (from, to) = reals.inward().unwrap_or((reals.from(), reals.to()));
         let last = to.min(from * libm::exp2(DOUBLINGS));
         let doublings = libm::log2(last / from);
         let steps = libm::ceil(doublings * PER_DOUBLING).max(LEAST);
@@ -65,7 +66,8 @@ impl<'a, I: ScaledIntegral> Continuum<'a, I> {
 
     /// The n of a sample, inside the range.
     pub(super) fn n(&self, m: f64) -> f64 {
-        (1.0 / m).clamp(self.reals.from(), self.reals.to())
+        let (from, to) = self.reals.inward().unwrap_or((self.reals.from(), self.reals.to()));
+        (1.0 / m).clamp(from, to)
     }
 
     /// The residual of a form with these parameters.

@@ -1,9 +1,10 @@
 //! Which n a factor is asked about: the whole numbers of a range, or every real number of it.
 
 use super::Reals;
-use crate::bound::{Extremes, Residual};
+use crate::bound::{Extremes, Interval, Residual, exact};
 use crate::integral::ScaledIntegral;
 use core::fmt;
+use dashu_ratio::RBig;
 
 /// A range of the specular exponent.
 ///
@@ -22,7 +23,7 @@ pub enum Exponents {
 }
 
 impl Exponents {
-    /// First and last n.
+    /// First and last n, to the nearest double.
     pub fn ends(self) -> (f64, f64) {
         match self {
             Exponents::Integers(from, to) => (f64::from(from), f64::from(to)),
@@ -43,10 +44,71 @@ impl Exponents {
         match self {
             Exponents::Integers(from, to) => residual.over_integers(from, to),
             Exponents::Reals(reals) => {
-                let (from, to) = reals.outward();
-                residual.over_reals(from, to)
+                let (from, to) = reals.ends();
+                residual.over_enclosed(from, to)
             }
         }
+    }
+
+    /// Whether the residual is proved to be at most `level` at every one of these n, by exact numbers where it
+    /// touches the level: [`Residual::stays_at_most`].
+    pub fn stay_at_most<I: ScaledIntegral>(self, residual: &Residual<I>, level: &RBig) -> bool {
+        match self {
+            Exponents::Integers(..) => self.each(residual, |value| exact(value.hi()), |x| x <= level),
+            Exponents::Reals(reals) => residual.stays_at_most(level, reals.outward().0, reals.outward().1),
+        }
+    }
+
+    /// Whether the residual is proved to be at least `level` at every one of these n, the same way.
+    pub fn stay_at_least<I: ScaledIntegral>(self, residual: &Residual<I>, level: &RBig) -> bool {
+        match self {
+            Exponents::Integers(..) => self.each(residual, |value| exact(value.lo()), |x| x >= level),
+            Exponents::Reals(reals) => residual.stays_at_least(level, reals.outward().0, reals.outward().1),
+        }
+    }
+
+    /// Whether coef(n) is proved to be positive at every real n between the ends.
+    pub fn have_positive_factor<I: ScaledIntegral>(self, residual: &Residual<I>) -> bool {
+        let (from, to) = match self {
+            Exponents::Integers(..) => self.ends(),
+            Exponents::Reals(reals) => reals.outward(),
+        };
+        residual.has_positive_factor(from, to)
+    }
+
+    /// The smallest of these n, or one near it, at which the residual is not bounded: [`Residual::unbounded_near`].
+    pub fn unbounded_near<I: ScaledIntegral>(self, residual: &Residual<I>) -> Option<f64> {
+        match self {
+            Exponents::Integers(from, to) => {
+                (from..=to).map(f64::from).find(|n| !residual.at(*n).width().is_finite())
+            }
+            Exponents::Reals(reals) => residual.unbounded_near(reals.outward().0, reals.outward().1),
+        }
+    }
+
+    /// The residual at n exactly, if n is one of these, or ∞ where they have no end, and it is rational there:
+    /// [`Residual::exactly`].
+    pub fn exactly<I: ScaledIntegral>(self, residual: &Residual<I>, n: f64) -> Option<RBig> {
+        let is_one = match self {
+            Exponents::Integers(from, to) => {
+                n == libm::floor(n) && (f64::from(from)..=f64::from(to)).contains(&n)
+            }
+            Exponents::Reals(reals) => reals.inward().is_some_and(|(first, last)| first <= n && n <= last),
+        };
+        if is_one { residual.exactly(n) } else { None }
+    }
+
+    /// Whether every whole n is on one side, by an end of its enclosure or exactly.
+    fn each<I: ScaledIntegral>(
+        self,
+        residual: &Residual<I>,
+        end: impl Fn(Interval) -> Option<RBig>,
+        inside: impl Fn(&RBig) -> bool,
+    ) -> bool {
+        let Exponents::Integers(from, to) = self else { return false };
+        (from..=to).map(f64::from).all(|n| {
+            end(residual.at(n)).is_some_and(|x| inside(&x)) || residual.exactly(n).is_some_and(|x| inside(&x))
+        })
     }
 
     /// The real numbers around them; one more where there is but one whole number.

@@ -86,6 +86,7 @@ pub fn fit_factor<I: ScaledIntegral + Clone>(
     objective: Objective,
     digits: usize,
 ) -> Result<FactorRow, FitError> {
+    has_doubles(range)?;
     supported(range, form, objective, digits)?;
     let continuum = Continuum::new(integral, range);
     Fitting::new(&continuum, form)?.row(objective, digits)
@@ -104,6 +105,7 @@ pub fn factor_rows<I: ScaledIntegral + Clone>(
     integrals: &[I],
     range: Reals,
 ) -> Result<Vec<FactorRow>, FitError> {
+    has_doubles(range)?;
     let mut rows = Vec::new();
     for integral in integrals {
         let continuum = Continuum::new(integral, range);
@@ -163,6 +165,14 @@ fn paying<'a, I: ScaledIntegral + Clone>(
         }
     }
     Ok(paying)
+}
+
+/// A fit samples the range: two doubles of it are needed.
+fn has_doubles(range: Reals) -> Result<(), FitError> {
+    match range.inward() {
+        Some((first, last)) if first < last => Ok(()),
+        _ => Err(FitError::Reals { text: range.to_string() }),
+    }
 }
 
 fn supported(range: Reals, form: FactorForm, objective: Objective, digits: usize) -> Result<(), FitError> {

@@ -80,7 +80,7 @@ impl Line {
         let Line { a, b, divisor, .. } = self;
         let slope = if a == "1" { "n".to_owned() } else { format!("{a}*n") };
         match b.strip_prefix('-') {
-            _ if b == "0" => format!("{slope}/({divisor}*pi)"),
+            _ if is_zero(b) => format!("{slope}/({divisor}*pi)"),
             Some(positive) => format!("({slope} - {positive})/({divisor}*pi)"),
             None => format!("({slope} + {b})/({divisor}*pi)"),
         }
@@ -96,11 +96,16 @@ impl core::fmt::Display for Line {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         let Line { a, b, divisor, .. } = self;
         match b.strip_prefix('-') {
-            _ if b == "0" => write!(f, "{a} n/({divisor}π)"),
+            _ if is_zero(b) => write!(f, "{a} n/({divisor}π)"),
             Some(positive) => write!(f, "({a} n - {positive})/({divisor}π)"),
             None => write!(f, "({a} n + {b})/({divisor}π)"),
         }
     }
+}
+
+/// 0 however it is written: -0, 0.00.
+fn is_zero(decimal: &str) -> bool {
+    decimal.bytes().all(|b| matches!(b, b'-' | b'0' | b'.'))
 }
 
 /// The decimal that an exact number is, `None` if its digits never end.
@@ -135,6 +140,15 @@ mod tests {
         for not_a_line in ["n^2/pi", "n/(pi + 1)", "n/pi^2", "2^(-n/2)/pi", "n"] {
             assert!(Line::from_formula(&not_a_line.parse().unwrap()).is_none(), "{not_a_line}");
         }
+    }
+
+    #[test]
+    fn a_zero_is_left_out_however_it_is_written() {
+        for b in ["0", "-0", "0.00", "-0.0"] {
+            let line = Line::new("1.5", b, "2").unwrap();
+            assert_eq!((line.source(), line.to_string()), ("1.5*n/(2*pi)".into(), "1.5 n/(2π)".into()));
+        }
+        assert_eq!(Line::new("1", "-0.01", "2").unwrap().source(), "(n - 0.01)/(2*pi)");
     }
 
     #[test]

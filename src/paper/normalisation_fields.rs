@@ -106,6 +106,12 @@ impl Fields<'_> {
             })?;
             exact.push(value.0);
         }
+        if exact.is_empty() {
+            return Err((
+                list.span().start,
+                "`coefficients`: the list is empty; it begins with 1, p's peak".to_owned(),
+            ));
+        }
         PolynomialBell::new(&exact, power).map_err(|error| {
             let at = match error {
                 PolynomialBellError::Power { .. } => self.asked("power"),
@@ -132,11 +138,18 @@ impl Fields<'_> {
         let (text, at) = self.needed("n")?;
         let n = match over {
             Over::Integers => super::parse_range(&text).map(|(from, to)| Exponents::Integers(from, to)),
-            Over::Reals => text.parse::<Reals>().map(Exponents::Reals).map_err(|error| error.to_string()),
+            Over::Reals => text.parse::<Reals>().map(Exponents::Reals).map_err(|error| {
+                let hint = "; one whole n is asked about with `over = \"integers\"`";
+                format!("{error}{}", if super::parse_range(&text).is_ok() { hint } else { "" })
+            }),
         };
         let n = n.map_err(|message| (at, message))?;
-        if matches!(lobe, ClaimedLobe::StandIn(_)) && n.ends().0 < 16.0 {
-            return Err((at, format!("n = {n}: lobe {} is there for n ≥ 16", lobe.id())));
+        let first = match n {
+            Exponents::Integers(from, _) => f64::from(from),
+            Exponents::Reals(reals) => reals.outward().0,
+        };
+        if matches!(lobe, ClaimedLobe::StandIn(_)) && first < 16.0 {
+            return Err((at, format!("n = {text}: lobe {} is there for n ≥ 16", lobe.id())));
         }
         Ok(n)
     }

@@ -171,15 +171,45 @@ impl<'de> Deserialize<'de> for OneOrMany {
                 Ok(OneOrMany { words: vec![word.to_owned()], many: false })
             }
 
+            // A power is a word that looks like a number: with quotes or without.
+            fn visit_i64<E>(self, word: i64) -> Result<OneOrMany, E> {
+                Ok(OneOrMany { words: vec![word.to_string()], many: false })
+            }
+
             fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<OneOrMany, A::Error> {
                 let mut words = Vec::new();
-                while let Some(word) = list.next_element()? {
+                while let Some(OneWord(word)) = list.next_element()? {
                     words.push(word);
                 }
                 Ok(OneOrMany { words, many: true })
             }
         }
         deserializer.deserialize_any(Words)
+    }
+}
+
+/// A word of a list.
+struct OneWord(String);
+
+impl<'de> Deserialize<'de> for OneWord {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Word;
+        impl Visitor<'_> for Word {
+            type Value = OneWord;
+
+            fn expecting(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                f.write_str("a word")
+            }
+
+            fn visit_str<E>(self, word: &str) -> Result<OneWord, E> {
+                Ok(OneWord(word.to_owned()))
+            }
+
+            fn visit_i64<E>(self, word: i64) -> Result<OneWord, E> {
+                Ok(OneWord(word.to_string()))
+            }
+        }
+        deserializer.deserialize_any(Word)
     }
 }
 

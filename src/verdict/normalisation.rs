@@ -1,10 +1,15 @@
 //! Statements about one's own constants: one verdict on all that is asked, and what would hold instead.
 
 use super::judgement::{Finding, Verdict, compare};
-use crate::bound::{Extreme, Extremes, Integral, Interval, LobeIntegral, Residual};
+use crate::bound::{Extreme, Extremes, Integral, Interval, LobeIntegral, Residual, short_up};
 use crate::fit::{Band, Exponents, FitError, Mended, mend};
-use crate::integral::Case;
+use crate::integral::{Case, Field};
 use crate::paper::{ClaimedLobe, Normalisation, Printed, Relation};
+use dashu_ratio::RBig;
+
+/// Enclosures of a residual, which is relative, that are narrower are so for rounding: no factor of a renderer is
+/// given to as many digits.
+const HAIR: f64 = 1e-9;
 
 /// What is asked of a factor.
 #[derive(Clone, Debug, PartialEq)]
@@ -86,8 +91,9 @@ pub(super) fn normalisation(claim: &Normalisation) -> Result<(Finding, Normalisa
         method: "a rule",
         case: format!("{}, {}", claim.model.id(), claim.lobe.id()),
     })?;
-    let extremes = claim.n.extremes(&Residual::new(integral.clone(), &claim.factor));
-    let demands = demands(claim, &extremes);
+    let residual = Residual::new(integral.clone(), &claim.factor);
+    let extremes = claim.n.extremes(&residual);
+    let demands = demands(claim, &residual, &extremes);
     let verdict = [Verdict::Refuted, Verdict::Undecided]
         .into_iter()
         .find(|verdict| demands.iter().any(|d| d.verdict == *verdict))
@@ -122,18 +128,32 @@ fn integral(claim: &Normalisation) -> Option<Integral> {
     Some(Integral::Bell(Box::new(bell.at_limit(limit))))
 }
 
-fn demands(claim: &Normalisation, extremes: &Extremes) -> Vec<DemandFinding> {
+fn demands(claim: &Normalisation, residual: &Residual<Integral>, extremes: &Extremes) -> Vec<DemandFinding> {
     let Extremes { max, min } = extremes;
-    let loss = -min.value;
+    let (loss, zero) = (-min.value, RBig::int(0));
     let mut found = Vec::new();
     let mut add = |demand, computed, n, verdict| found.push(DemandFinding { demand, computed, n, verdict });
-    if min.value.lo() <= -1.0 {
-        let verdict = if min.value.hi() <= -1.0 { Verdict::Refuted } else { Verdict::Undecided };
-        add(Demand::Positive, min.value, min.n, verdict);
+    if min.value.lo() <= -1.0 && !claim.n.have_positive_factor(residual) {
+        add(Demand::Positive, min.value, min.n, sign(claim, residual, min));
     }
+    // What enclosures leave open is asked of exact numbers: whether all keep the level, or one at hand does not.
+    let exactly = |verdict, keeps: &dyn Fn() -> bool, breaks: &dyn Fn(&RBig) -> bool| {
+        let at = || [max.n, min.n].into_iter().filter_map(|n| claim.n.exactly(residual, n));
+        match verdict {
+            Verdict::Undecided if keeps() => Verdict::Proved,
+            Verdict::Undecided if at().any(|x| breaks(&x)) => Verdict::Refuted,
+            decided => decided,
+        }
+    };
     if let Some(bound) = &claim.bound {
         let Extreme { value, n } = extremes.magnitude();
-        add(Demand::Bound(bound.clone()), value, n, compare(value, bound, Relation::AtMost));
+        let (lowest, highest) = (zero.clone() - bound.value.clone(), &bound.value);
+        let verdict = exactly(
+            compare(value, bound, Relation::AtMost),
+            &|| claim.n.stay_at_most(residual, highest) && claim.n.stay_at_least(residual, &lowest),
+            &|x| *x > *highest || *x < lowest,
+        );
+        add(Demand::Bound(bound.clone()), value, n, verdict);
     }
     if claim.never_gains {
         let verdict = match () {
@@ -141,12 +161,34 @@ fn demands(claim: &Normalisation, extremes: &Extremes) -> Vec<DemandFinding> {
             () if max.value.lo() > 0.0 => Verdict::Refuted,
             () => Verdict::Undecided,
         };
+        let verdict = exactly(verdict, &|| claim.n.stay_at_most(residual, &zero), &|x| *x > zero);
         add(Demand::NeverGains, max.value, max.n, verdict);
     }
     if let Some(most) = &claim.loss {
-        add(Demand::LosesAtMost(most.clone()), loss, min.n, compare(loss, most, Relation::AtMost));
+        let lowest = zero.clone() - most.value.clone();
+        let verdict = exactly(
+            compare(loss, most, Relation::AtMost),
+            &|| claim.n.stay_at_least(residual, &lowest),
+            &|x| *x < lowest,
+        );
+        add(Demand::LosesAtMost(most.clone()), loss, min.n, verdict);
+    }
+    for open in found.iter_mut().filter(|d| d.verdict == Verdict::Undecided) {
+        if !open.computed.width().is_finite() {
+            open.n = claim.n.unbounded_near(residual).unwrap_or(open.n);
+        }
     }
     found
+}
+
+/// Of a factor that is not proved positive: whether it is proved not to be at an n. A limit of -1 at n = ∞ says
+/// nothing.
+fn sign(claim: &Normalisation, residual: &Residual<Integral>, min: &Extreme) -> Verdict {
+    let limit = RBig::int(-1);
+    let not_positive = min.value.hi() < -1.0
+        || residual.has_no_factor()
+        || (min.n.is_finite() && claim.n.exactly(residual, min.n).is_some_and(|x| x <= limit));
+    if not_positive { Verdict::Refuted } else { Verdict::Undecided }
 }
 
 fn witness(verdict: Verdict, deciding: Option<&DemandFinding>, extremes: &Extremes) -> String {
@@ -165,10 +207,20 @@ fn witness(verdict: Verdict, deciding: Option<&DemandFinding>, extremes: &Extrem
                 (Demand::NeverGains, _) => "2π coef Int - 1 reaches up to a value within",
                 (Demand::LosesAtMost(_), _) => "1 - 2π coef Int is within",
             };
-            format!("{says} {value} at {place}")
+            format!("{says} {value} at {place}{}", nearly(verdict, d))
         }
         _ if number(max.value) == number(min.value) => format!("2π coef Int - 1 is {lowest}"),
         _ => format!("2π coef Int - 1 runs from {lowest} to {} at {}", number(max.value), place(max.n)),
+    }
+}
+
+/// What is undecided by a hair is met or missed by one.
+fn nearly(verdict: Verdict, found: &DemandFinding) -> String {
+    let width = found.computed.width();
+    if verdict == Verdict::Undecided && found.demand != Demand::Positive && width < HAIR {
+        format!("; met to within {}, which is not decided", short_up(width))
+    } else {
+        String::new()
     }
 }
 

@@ -1,7 +1,7 @@
 //! A line by the fewest of its digits changed.
 
 use super::{Change, Remedy, SLACK, Search, TRIES};
-use crate::bound::{Formula, decimal};
+use crate::bound::{Formula, Residual, decimal};
 use crate::fit::Line;
 use crate::fit::nearest::variants;
 use crate::integral::ScaledIntegral;
@@ -10,6 +10,8 @@ use std::collections::BTreeMap;
 /// At most so many digits are changed, and so many of them in b.
 const MOST_CHANGED: usize = 4;
 const MOST_IN_B: usize = 3;
+/// A line that loses more than half of the light is no neighbour of one that keeps it.
+const HALF: f64 = 0.5;
 /// Longer lists of decimals are left out, so that constants of many digits take no minutes.
 const MOST_VARIANTS: usize = 40_000;
 
@@ -17,8 +19,16 @@ const MOST_VARIANTS: usize = 40_000;
 type Ranked = (f64, String, String);
 
 impl<I: ScaledIntegral + Clone> Search<'_, I> {
-    /// Fewest digits changed; among those the smallest |residual| first.
-    pub(super) fn by_digits(&self, line: &Line) -> Option<Remedy> {
+    /// Fewest digits changed; among those the smallest |residual| first. One that loses too much waits, beside it,
+    /// for one of more digits or another form.
+    pub(super) fn by_digits(&self, line: &Line) -> (Option<Remedy>, Option<Remedy>) {
+        let mut losing = None;
+        let found = self.line(line, &mut losing);
+        (found, losing)
+    }
+
+    fn line(&self, line: &Line, losing: &mut Option<Remedy>) -> Option<Remedy> {
+        let most_lost = self.most_lost(line.formula());
         // What the line's g is of the samples' one.
         let divisor: f64 = line.divisor().parse().ok()?;
         let ratio = f64::from(self.continuum.divisor) / divisor;
@@ -49,15 +59,26 @@ impl<I: ScaledIntegral + Clone> Search<'_, I> {
                 let formula: &Formula = line.formula();
                 if let Some(extremes) = self.certified(formula) {
                     let source = line.source();
-                    return Some(Remedy {
-                        change: Change::Digits { line, changed: total },
-                        source,
-                        extremes,
-                    });
+                    let loses = -extremes.min.value.lo();
+                    let remedy = Remedy { change: Change::Digits { line, changed: total }, source, extremes };
+                    if loses <= most_lost {
+                        return Some(remedy);
+                    }
+                    losing.get_or_insert(remedy);
+                    // The others of as many digits lose more.
+                    break;
                 }
             }
         }
         None
+    }
+}
+
+impl<I: ScaledIntegral + Clone> Search<'_, I> {
+    /// What a line may lose that stands in for this one: half, or what this one loses.
+    fn most_lost(&self, factor: &Formula) -> f64 {
+        let extremes = self.exponents.extremes(&Residual::new(self.continuum.integral.clone(), factor));
+        HALF.max(-extremes.min.value.hi())
     }
 }
 

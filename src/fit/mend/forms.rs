@@ -1,6 +1,6 @@
 //! The simplest form that can, in few digits; and which provably cannot.
 
-use super::{Change, Remedy, RuledOut, Search, TRIES};
+use super::{Change, Remedy, RuledOut, SLACK, Search, TRIES};
 use crate::fit::digits::{Decimal, round_to};
 use crate::fit::exchange::{Optimum, levelled, lower_bound, minimax};
 use crate::fit::{Exponents, Factor, FactorForm};
@@ -59,7 +59,7 @@ impl<I: ScaledIntegral + Clone> Search<'_, I> {
         let mut tries = 0;
         for digits in DIGITS {
             let mut texts: Vec<String> = ideal.iter().map(|p| round_to(*p, digits)).collect();
-            for first in self.first_parameters(form, &texts, digits) {
+            for first in self.first_parameters(form, (&texts, ideal[0]), digits) {
                 texts[0] = first;
                 let factor = Factor::new(form, &texts, self.continuum.divisor)?;
                 tries += 1;
@@ -76,7 +76,12 @@ impl<I: ScaledIntegral + Clone> Search<'_, I> {
     }
 
     /// Decimals p0 with which the band is kept, the least |residual| first; at most two.
-    fn first_parameters(&self, form: FactorForm, texts: &[String], digits: usize) -> Vec<String> {
+    fn first_parameters(
+        &self,
+        form: FactorForm,
+        (texts, ideal): (&[String], f64),
+        digits: usize,
+    ) -> Vec<String> {
         let mut rest: Vec<f64> = texts.iter().map(|t| t.parse().unwrap_or(f64::NAN)).collect();
         rest[0] = 0.0;
         let (low, high) = self.allowed();
@@ -85,12 +90,15 @@ impl<I: ScaledIntegral + Clone> Search<'_, I> {
         let least = both().map(|(s, bent)| low / s.g - bent).fold(f64::NEG_INFINITY, f64::max);
         let most = both().map(|(s, bent)| high / s.g - bent).fold(f64::INFINITY, f64::min);
         let worst = |p0: f64| both().map(|(s, bent)| (s.g * (p0 + bent) - 1.0).abs()).fold(0.0_f64, f64::max);
-        let middle = if most.is_finite() { 0.5 * (least + most) } else { least };
+        // The middle of what is allowed is near the best only where both ends are asked for: from below every
+        // factor is let in that is positive.
+        let is_asked = low > -1.0 + SLACK && most.is_finite();
+        let middle = if is_asked { 0.5 * (least + most) } else { ideal };
         let below = |x: f64| Decimal::floor(x, digits, i32::MAX).filter(|d| d.is_positive());
         let lattice = [most, middle].into_iter().filter(|x| x.is_finite()).filter_map(below);
         let mut found: Vec<(f64, String)> = lattice
-            .flat_map(|d| [d, d.above(digits)])
-            .filter(|d| d.to_f64() >= least && d.to_f64() <= most)
+            .flat_map(|d| [d.below(digits), d, d.above(digits)])
+            .filter(|d| d.is_positive() && d.to_f64() >= least && d.to_f64() <= most)
             .map(|d| (worst(d.to_f64()), d.text()))
             .collect();
         found.sort_by(|x, y| x.0.total_cmp(&y.0).then_with(|| x.1.cmp(&y.1)));

@@ -88,7 +88,8 @@ pub struct Mended {
 ///
 /// In this order, the first that enclosures certify:
 /// 1. of a line (a n + b)/(d π): the fewest digits of a and b changed, up to four, as it is written out with finite
-///    decimals; among those the smallest |residual|;
+///    decimals; among those the smallest |residual|; one that loses more than half, and more than the line does,
+///    comes last;
 /// 2. of any other factor: its multiple by the decimal of fewest digits, of those the nearest to 1;
 /// 3. the simplest [`FactorForm`] that can, in the fewest digits that were found to do.
 ///
@@ -111,15 +112,20 @@ pub fn mend<I: ScaledIntegral + Clone>(
     band: &Band,
 ) -> Mended {
     let mut mended = Mended { remedy: None, ruled_out: vec![] };
-    let Some(reals) = exponents.reals() else { return mended };
+    let Some(reals) = exponents.reals().filter(|r| r.inward().is_some_and(|(first, last)| first < last))
+    else {
+        return mended;
+    };
     let continuum = Continuum::new(integral, reals);
     let search = Search { samples: samples(&continuum, exponents), continuum: &continuum, exponents, band };
-    mended.remedy = match Line::from_formula(factor) {
+    let (found, losing) = match Line::from_formula(factor) {
         Some(line) => search.by_digits(&line),
-        None => search.by_multiple(factor, text),
+        None => (search.by_multiple(factor, text), None),
     };
+    mended.remedy = found;
     if mended.remedy.is_none() {
         (mended.remedy, mended.ruled_out) = search.by_form();
+        mended.remedy = mended.remedy.or(losing);
     }
     mended
 }
