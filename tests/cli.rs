@@ -5,7 +5,7 @@
 #[path = "support/program.rs"]
 mod program;
 
-use program::{bellfit, refused};
+use program::{bellfit, fed, refused};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Output;
@@ -99,6 +99,23 @@ fn what_cannot_be_written_leaves_everything_as_it_was() {
     refused(&["--out", out.to_str().expect("UTF-8")], "is a folder");
     let left: Vec<_> = files(&out).into_iter().collect();
     assert_eq!(left, [(PathBuf::from("fits/coefficients.csv"), b"mine\n".to_vec())]);
+}
+
+#[test]
+fn a_dash_is_standard_input() {
+    for command in ["verify", "choose"] {
+        let example = stdout(&bellfit(&[command, "--example"]));
+        let answer = fed(&[command, "-"], example.as_bytes());
+        assert_eq!(answer.status.code(), Some(0), "{command}: {answer:?}");
+        let path = folder("dash").join("example.toml");
+        std::fs::write(&path, &example).expect("writable");
+        assert_eq!(stdout(&answer), stdout(&bellfit(&[command, path.to_str().expect("UTF-8")])), "{command}");
+        let later = example.replace("version = 1", "version = 7");
+        let refused = fed(&[command, "-"], later.as_bytes());
+        let error = String::from_utf8(refused.stderr).expect("UTF-8");
+        assert_eq!(refused.status.code(), Some(2), "{command}");
+        assert!(error.starts_with("bellfit: standard input: ") && error.contains('7'), "{command}: {error}");
+    }
 }
 
 #[test]

@@ -5,16 +5,17 @@
 
 #[path = "support/png_file.rs"]
 mod png_file;
+#[path = "support/program.rs"]
+mod program;
 
 use bellfit::fit::measured::{Comparison, DataError, EXAMPLE_DATA, Family, Samples, Unit, Weighting};
 use bellfit::report::{DATA_FIT_FIELDS, data_fit_figure, data_fit_json, data_fit_lines};
 use png_file::{folder, png_data};
+use program::fed;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use serde_json::Value;
-use std::io::Write;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
 
 fn parse(text: &str) -> Result<Samples, DataError> {
     Samples::parse(text.as_bytes(), None)
@@ -191,22 +192,9 @@ fn any_samples_have_an_answer_or_an_error() {
     runner(150).run(&(rows, weighting), answered).unwrap();
 }
 
-fn bellfit(arguments: &[&str], input: &[u8]) -> Output {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_bellfit"))
-        .args(arguments)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the program starts");
-    // It may have refused without reading.
-    let _ = child.stdin.take().expect("a pipe").write_all(input);
-    child.wait_with_output().expect("the program ends")
-}
-
 #[track_caller]
 fn refused(arguments: &[&str], input: &[u8], names: &str) {
-    let output = bellfit(arguments, input);
+    let output = fed(arguments, input);
     let error = String::from_utf8(output.stderr.clone()).expect("UTF-8");
     assert_eq!(output.status.code(), Some(2), "{arguments:?}: {error}");
     assert_eq!(error.lines().count(), 1, "{arguments:?}: {error}");
@@ -216,19 +204,19 @@ fn refused(arguments: &[&str], input: &[u8], names: &str) {
 
 #[test]
 fn the_example_fits_from_a_file_and_from_a_pipe() {
-    let example = bellfit(&["fit", "--data-example"], b"");
+    let example = fed(&["fit", "--data-example"], b"");
     assert_eq!((example.status.code(), example.stdout.as_slice()), (Some(0), EXAMPLE_DATA.as_bytes()));
     let file = folder("data_example").join("samples.csv");
     std::fs::write(&file, &example.stdout).unwrap();
-    let from_file = bellfit(&["fit", "--data", file.to_str().unwrap()], b"");
-    let from_pipe = bellfit(&["fit", "--data", "-"], EXAMPLE_DATA.as_bytes());
+    let from_file = fed(&["fit", "--data", file.to_str().unwrap()], b"");
+    let from_pipe = fed(&["fit", "--data", "-"], EXAMPLE_DATA.as_bytes());
     assert_eq!((from_file.status.code(), &from_file.stdout), (Some(0), &from_pipe.stdout));
     let text = String::from_utf8(from_file.stdout).unwrap();
     assert!(text.starts_with("41 samples at 21 angles from 0° to 40°, of equal weight\n"), "{text}");
     assert!(Family::ALL.iter().all(|family| text.contains(family.id())), "{text}");
 
     let arguments = ["fit", "--data", "-", "--json", "--family", "cos-n", "--family", "schlick"];
-    let json = bellfit(&arguments, EXAMPLE_DATA.as_bytes());
+    let json = fed(&arguments, EXAMPLE_DATA.as_bytes());
     let json: Value = serde_json::from_slice(&json.stdout).unwrap();
     let best = &json["families"][0];
     assert_eq!((json["best"].as_str(), json["families"].as_array().unwrap().len()), (Some("cos-n"), 2));
@@ -278,7 +266,7 @@ fn wrong_use_is_told_in_a_line() {
 /// What `bellfit fit --data` prints of a file.
 fn answer(text: &str, more: &[&str]) -> String {
     let arguments = [&["fit", "--data", "-"], more].concat();
-    let output = bellfit(&arguments, text.as_bytes());
+    let output = fed(&arguments, text.as_bytes());
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout).unwrap()
 }
@@ -418,7 +406,7 @@ fn every_field_is_documented() {
     documented.dedup();
     found.sort();
     assert_eq!(documented, found);
-    let help = String::from_utf8(bellfit(&["fit", "--help"], b"").stdout).unwrap();
+    let help = String::from_utf8(fed(&["fit", "--help"], b"").stdout).unwrap();
     assert!(help.contains(DATA_FIT_FIELDS.trim()), "{help}");
 }
 
@@ -439,7 +427,7 @@ fn a_plot_is_written_in_the_format_of_its_name() {
     let write = |name: &str| {
         let path = folder.join(name);
         let arguments = ["fit", "--data", "-", "--plot", path.to_str().unwrap()];
-        let output = bellfit(&arguments, EXAMPLE_DATA.as_bytes());
+        let output = fed(&arguments, EXAMPLE_DATA.as_bytes());
         assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
         std::fs::read(Path::new(&path)).unwrap()
     };

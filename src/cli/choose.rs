@@ -1,6 +1,6 @@
 //! `bellfit choose`.
 
-use super::{Outcome, emit, known, print, reason};
+use super::{Outcome, emit, input, known, print};
 use crate::bound::{ELEMENTARY_ULPS, Format, Handed, Measure};
 use crate::choose::{
     ANGLE_WORDS, Costs, ENERGY_ERROR, ENERGY_WORDS, EXAMPLE_NEEDS, EnergyDemand, Exponents, FLOOR, Need,
@@ -14,6 +14,9 @@ use crate::trade::Record;
 use anyhow::{Result, anyhow, bail};
 use clap::Args;
 use std::path::{Path, PathBuf};
+
+/// The longest file that is read; records of every kernel are below a hundredth of it.
+const LONGEST: u64 = 4 << 20;
 
 /// Find the cheapest lobe that stands for cosⁿ within a scene's needs, with its proof.
 #[derive(Debug, Args)]
@@ -30,7 +33,7 @@ is an upper bound. fails: an argument is known where the error is larger than al
 
 Exit code: 0 if something qualifies (in a file: for every material), 1 if nothing does, 2 bad input.")]
 pub struct Arguments {
-    /// A file (TOML, version = 1) with the needs of a whole scene.
+    /// A file (TOML, version = 1) with the needs of a whole scene; - reads standard input.
     #[arg(value_name = "SCENE", conflicts_with_all = [
         "n", "roughness", "whole", "max_error", "relative", "float", "angle", "model", "energy", "no_division",
         "no_transcendental", "ulps", "kernel",
@@ -148,22 +151,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome> {
 }
 
 fn scene(path: &Path) -> Result<SceneNeeds> {
-    let name = path.display();
-    SceneNeeds::parse(&read(path)?).map_err(|error| anyhow!("{name}: {error}"))
+    let text = input::text(path, "a file of needs", LONGEST)?;
+    SceneNeeds::parse(&text).map_err(|error| anyhow!("{}: {error}", input::name(path)))
 }
 
 fn record(path: &Path) -> Result<Record> {
-    let name = path.display();
-    Record::parse(&read(path)?).map_err(|error| anyhow!("{name}: {error}"))
-}
-
-fn read(path: &Path) -> Result<String> {
-    let name = path.display();
-    if path.is_dir() {
-        bail!("{name}: a folder, not a file");
-    }
-    let bytes = std::fs::read(path).map_err(|error| anyhow!("{name}: {}", reason(&error)))?;
-    String::from_utf8(bytes).map_err(|_| anyhow!("{name}: not UTF-8 text"))
+    let text = input::text(path, "a record", LONGEST)?;
+    Record::parse(&text).map_err(|error| anyhow!("{}: {error}", input::name(path)))
 }
 
 impl Arguments {

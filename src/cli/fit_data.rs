@@ -1,12 +1,14 @@
 //! `bellfit fit --data`.
 
-use super::{Outcome, known, print, reason};
+use super::{Outcome, input, known, print};
 use crate::fit::measured::{Comparison, EXAMPLE_DATA, Family, Samples, Unit};
 use crate::report::{Artifacts, data_fit_figure, data_fit_json, data_fit_lines};
 use anyhow::{Result, anyhow, bail};
 use clap::Args;
-use std::io::Read;
 use std::path::{Path, PathBuf};
+
+/// The longest file that is read: two hundred bytes for each of the most rows.
+const LONGEST: u64 = 1 << 30;
 
 /// What a fit of measured samples takes.
 #[derive(Debug, Args)]
@@ -62,8 +64,8 @@ impl DataArguments {
         // A plot that cannot be is told before the work.
         let plot =
             self.plot.as_deref().map(|path| Ok::<_, anyhow::Error>((path, format(path)?))).transpose()?;
-        let name = if is_stdin(path) { "standard input".to_owned() } else { path.display().to_string() };
-        let samples = Samples::parse(&read(path)?, self.unit).map_err(|error| anyhow!("{name}: {error}"))?;
+        let (name, bytes) = (input::name(path), input::bytes(path, "a file of samples", LONGEST)?);
+        let samples = Samples::parse(&bytes, self.unit).map_err(|error| anyhow!("{name}: {error}"))?;
         let families = if self.family.is_empty() { &Family::ALL[..] } else { &self.family };
         let found = Comparison::of(&samples, families).map_err(|error| anyhow!("{name}: {error}"))?;
         if let Some((path, format)) = plot {
@@ -78,26 +80,6 @@ impl DataArguments {
         print(&text)?;
         Ok(Some(Outcome::AsExpected))
     }
-}
-
-fn is_stdin(path: &Path) -> bool {
-    path.as_os_str() == "-"
-}
-
-fn read(path: &Path) -> Result<Vec<u8>> {
-    let name = path.display();
-    if is_stdin(path) {
-        let mut bytes = Vec::new();
-        std::io::stdin()
-            .lock()
-            .read_to_end(&mut bytes)
-            .map_err(|error| anyhow!("standard input: {error}"))?;
-        return Ok(bytes);
-    }
-    if path.is_dir() {
-        bail!("{name}: a folder, not a file of samples");
-    }
-    std::fs::read(path).map_err(|error| anyhow!("{name}: {}", reason(&error)))
 }
 
 fn format(path: &Path) -> Result<Format> {

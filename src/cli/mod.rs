@@ -4,6 +4,7 @@ mod choose;
 mod emit;
 mod fit;
 mod fit_data;
+mod input;
 mod render;
 mod reproduce;
 mod sample;

@@ -1,6 +1,6 @@
 //! `bellfit verify`.
 
-use super::{Outcome, print, reason};
+use super::{Outcome, input, print};
 use crate::paper::schema::SCHEMA;
 use crate::paper::{ClaimsFile, EXAMPLE};
 use crate::report::{judgement_lines, judgements_json};
@@ -19,6 +19,7 @@ const LONGEST: u64 = 4 << 20;
   bellfit verify --example > my-claims.toml
   bellfit verify my-claims.toml
   bellfit verify my-claims.toml --json
+  generate-claims | bellfit verify -
 
 Kinds of readings for constants of your own (all kinds and keys: bellfit verify --schema):
   normalisation          a factor within a bound, never gaining, losing at most so much; any lobe
@@ -28,7 +29,7 @@ Kinds of readings for constants of your own (all kinds and keys: bellfit verify 
 
 Exit code: 0 if every reading holds (or is a definition), 1 if one does not, 2 if the file cannot be read.")]
 pub struct Arguments {
-    /// The claims file (TOML, version = 1).
+    /// The claims file (TOML, version = 1); - reads standard input.
     #[arg(value_name = "FILE", required_unless_present_any = ["example", "schema"])]
     file: Option<PathBuf>,
     /// Print the verdicts as JSON.
@@ -47,17 +48,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome> {
         print(if arguments.schema { SCHEMA } else { EXAMPLE })?;
         return Ok(Outcome::AsExpected);
     };
-    let name = path.display();
-    if path.is_dir() {
-        return Err(anyhow!("{name}: a folder, not a claims file"));
-    }
-    let told = |error: std::io::Error| anyhow!("{name}: {}", reason(&error));
-    let length = std::fs::metadata(path).map_err(told)?.len();
-    if length > LONGEST {
-        return Err(anyhow!("{name}: {length} bytes; a claims file has at most {LONGEST}"));
-    }
-    let bytes = std::fs::read(path).map_err(told)?;
-    let text = String::from_utf8(bytes).map_err(|_| anyhow!("{name}: not UTF-8 text"))?;
+    let (name, text) = (input::name(path), input::text(path, "a claims file", LONGEST)?);
     let claims = ClaimsFile::parse(&text).map_err(|error| anyhow!("{name}: {error}"))?;
     let judgements = Judge::default().judge(&claims).map_err(|error| anyhow!("{name}: {error}"))?;
     let output = if arguments.json { judgements_json(&judgements)? } else { judgement_lines(&judgements) };
