@@ -62,6 +62,9 @@ fn the_numbers_of_an_estimate_are_those_of_its_lobe() {
                 let (low, high) = estimate.n_interval().unwrap();
                 near(libm::log(high / low), 2.0 * known.quantile() * known.n / estimate.n, "interval of n");
                 near(low * high, estimate.n * estimate.n, "middle of n");
+                let (low, high) = estimate.scale_interval().unwrap();
+                near(high - low, 2.0 * known.quantile() * known.scale, "interval of the scale");
+                near(high + low, 2.0 * estimate.scale, "middle of the scale");
             }
             // BIC but for what is the same for every family: N ln Σ, or Σ where the sigmas are known.
             let penalty = parameters as f64 * libm::log(count);

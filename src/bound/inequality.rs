@@ -148,6 +148,29 @@ mod tests {
         assert!(matches!(decide("n*2^(-n/2)", "16*2^(-8)"), Decision::Fails(_) | Decision::Open(_)));
     }
 
+    /// Not only that it fails, but where: at the first of 16, 18, 32, 128 and 1024 where it does.
+    #[test]
+    fn a_failure_is_told_where_it_is_seen() {
+        for (lower, upper, n) in [
+            ("n", "16", 16.0),
+            ("n", "17", 18.0),
+            ("n", "31", 32.0),
+            ("n", "127", 128.0),
+            ("n", "1000", 1024.0),
+            ("2^(-16)", "2^(-n/2)", 32.0), // 2^-16 on both sides
+        ] {
+            assert_eq!(decide(lower, upper), Decision::Fails(n), "{lower} < {upper}");
+        }
+    }
+
+    #[test]
+    fn values_at_even_exponents_are_exact() {
+        let formula: Formula = "3*n^2 - 5*n*2^(-n/2)".parse().unwrap();
+        // 3 · 36 - 5 · 6/8
+        assert_eq!(value_at(&formula.numerator, 6), Some(RBig::int(417) / RBig::int(4)));
+        assert_eq!(value_at(&formula.numerator, 7), None);
+    }
+
     #[test]
     fn shifting_is_substitution() {
         // (16 + x)² - 1 = 255 + 32 x + x²

@@ -241,3 +241,24 @@ fn number(value: Interval) -> String {
 fn place(n: f64) -> String {
     if n == f64::INFINITY { "n → ∞".to_owned() } else { format!("n = {}", super::residuals::exponent(n)) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_told_as_far_as_they_are_known() {
+        for ((lo, hi), text) in [
+            ((0.0, 0.0), "0"),
+            ((0.25, 0.25), "0.2500"),
+            ((1.0 / 3.0, 1.0 / 3.0 + 1e-9), "0.3333"),
+            ((0.05, 0.05), "5.0000e-2"),
+            ((2e5, 2e5), "2.0000e5"),
+            ((-0.5, -0.5), "-0.5000"),
+            ((1.0, 1.001), "[1.00e0, 1.00e0]"),
+            ((-1e-9, 2e-9), "[-1.00e-9, 2.00e-9]"),
+        ] {
+            assert_eq!(number(Interval::new(lo, hi)), text);
+        }
+    }
+}
