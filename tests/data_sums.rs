@@ -135,3 +135,12 @@ fn a_bells_coefficients_are_its_values() {
         }
     }
 }
+
+/// At a right angle cosⁿ is 0 for every n, and so are its slopes: no ln 0 gets into them.
+#[test]
+fn at_a_right_angle_nothing_changes() {
+    for family in [Family::CosN, Family::Cs16, Family::Cubic4] {
+        assert_eq!(family.value(1.0, 60.0, Shape::default()), 0.0, "{family}");
+        assert_eq!(family.slopes(1.0, 60.0, Shape::default())[0], 0.0, "{family}");
+    }
+}

@@ -216,3 +216,19 @@ fn three_constants_of_renderers_get_the_verdicts_of_mathematics() {
         );
     }
 }
+
+/// (n + 8)/8π for Blinn-Phong with cosⁿ: 2π coef Int is (1 + 2^(-n/2)/n)(1 + 8/n)/((1 + 2/n)(1 + 4/n)) by the
+/// integral's own formula, largest at 9 among the whole numbers.
+#[test]
+fn the_witness_says_how_much_and_where() {
+    let over = |n: f64| {
+        (1.0 + libm::exp2(-0.5 * n) / n) * (1.0 + 8.0 / n) / ((1.0 + 2.0 / n) * (1.0 + 4.0 / n)) - 1.0
+    };
+    let largest = (1..=64).map(f64::from).max_by(|a, b| over(*a).total_cmp(&over(*b))).unwrap();
+    assert_eq!(largest, 9.0);
+    let found = one("model = \"blinn-phong\"\nconvention = \"rdf-cosine\"\nlobe = \"cos-n\"\n\
+                     factor = \"(n + 8)/(8*pi)\"\nn = \"1..64\"\nover = \"integers\"\nenergy = \"never-gains\"");
+    assert_eq!(found.verdict, Verdict::Refuted);
+    let told = format!("gains energy: 2π coef Int - 1 reaches {:.4e} at n = 9", over(9.0));
+    assert!(found.witness.contains(&told), "{}: {told}", found.witness);
+}
