@@ -154,7 +154,9 @@ fn what_does_not_parse_is_told() {
         assert_exchange("\"1.063*n/(2*pi)\"", &format!("¦\"{bad}\""), &["formula", bad, why]);
     }
     assert_exchange("[\"support\", \"paper\"]", "¦[]", &["limit", "empty"]);
-    assert_exchange("[\"support\", \"paper\"]", "¦7", &["a word or a list of words"]);
+    assert_exchange("[\"support\", \"paper\"]", "¦true", &["a word or a list of words"]);
+    // A number is a word, as a power of a bell is.
+    assert_exchange("[\"support\", \"paper\"]", "¦7", &["limit", "\"7\"", "known are"]);
     assert_exchange("over = ", "over ¦", &[]);
 }
 
