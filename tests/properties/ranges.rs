@@ -136,9 +136,13 @@ fn a_range_of_reals_is_printed_and_read_back() {
         match made {
             Ok(range) => {
                 let text = range.to_string();
-                prop_assert_eq!(text.parse::<Reals>(), Ok(range), "{}", text);
-                prop_assert_eq!(text.replace("..", " .. ").parse::<Reals>(), Ok(range));
-                let (low, high) = range.outward();
+                prop_assert_eq!(range.outward(), (from, to), "these very doubles");
+                // Read, it is the decimals that were printed, to which these doubles are the nearest.
+                let read = text.parse::<Reals>();
+                prop_assert_eq!(text.replace("..", " .. ").parse::<Reals>(), read.clone());
+                let read = read.unwrap();
+                prop_assert_eq!((read.from(), read.to()), (from, to), "{}", text);
+                let (low, high) = read.outward();
                 prop_assert!(low <= from && to <= high && low >= from.next_down() && high <= to.next_up());
             }
             Err(error) => prop_assert!(error.to_string().contains(&format!("{from}..{to}")), "{}", error),
