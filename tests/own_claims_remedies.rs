@@ -5,7 +5,10 @@
 #[path = "support/own_claims.rs"]
 mod own_claims;
 
-use bellfit::fit::{Change, FactorForm, Line};
+use bellfit::bound::decimal;
+use bellfit::fit::{Band, Change, Exponents, FactorForm, Line, Mended, mend};
+use bellfit::integral::{Case, Limit, Lobe};
+use bellfit::kernel::model::Model;
 use bellfit::verdict::Verdict;
 use own_claims::{one, parts, runner};
 use proptest::prelude::*;
@@ -133,4 +136,114 @@ fn a_form_that_never_gains_is_near_the_exact_factor() {
         // n/(n + 1) at n = 16, and n² (1 + h/n)/((n + 2)(n + 4)): the loss of p0 n with p0 = 1.
         assert_eq!(remedy.source, format!("n/({divisor}*pi)"));
     }
+}
+
+/// Phong over the support of cs_16, where Int is 16/(17 n): what is asked of (a n + b)/(2π) is asked of
+/// 16/17 (a + b/n) - 1, which is a line in 1/n and has its extremes at the ends.
+fn mended_phong(factor: &str, n: Exponents, band: &Band) -> Mended {
+    let case = Case { model: Model::Phong, lobe: Lobe::Cs16, limit: Limit::Support };
+    mend(&case, n, (&factor.parse().unwrap(), factor), band)
+}
+
+/// Every line of as many digits is tried in whole numbers: the remedy has the fewest changed, and of those with as
+/// few it is the nearest to 1/Int.
+#[test]
+fn no_line_of_fewer_digits_changed_holds() {
+    // a in thousandths, b in tenths, none with a zero at its end; the bound in ten-thousandths, if there is one.
+    let (mut fewest, mut none) = (BTreeSet::new(), 0);
+    for (a, b) in [(1125, 25), (1063, 9), (2003, 1), (903, 47), (1009, 13), (1411, 88), (317, 41), (4999, 99)]
+    {
+        for (bound, never_gains) in
+            [(Some(203), false), (Some(617), false), (Some(207), true), (Some(611), true), (None, true)]
+        {
+            // 17000 n times the residual, whose ends are at n = 16 and 64.
+            let residual = |a: i64, b: i64, n: i64| 16 * (a * n + 100 * b) - 17_000 * n;
+            let ends = |a, b| [(16, residual(a, b, 16)), (64, residual(a, b, 64))];
+            let holds = |a, b| {
+                ends(a, b).into_iter().all(|(n, r)| {
+                    let is_bounded = bound.is_none_or(|bound| r.abs() * 10_000 <= bound * 17_000 * n);
+                    is_bounded && (!never_gains || r <= 0)
+                })
+            };
+            let worst = |a, b| ends(a, b).into_iter().map(|(n, r)| r.abs() * (64 / n)).max().unwrap();
+            // The largest loss over 17000 · 64, which is to stay below half, or below what the line loses.
+            let loss = |a, b| ends(a, b).into_iter().map(|(n, r)| -r * (64 / n)).max().unwrap();
+            let most = loss(a, b).max(17_000 * 32);
+            if holds(a, b) {
+                continue;
+            }
+            let changed = |x: i64, y: i64| {
+                let differ = |p: i64| usize::from(x / p % 10 != y / p % 10);
+                [1, 10, 100, 1000].map(differ).into_iter().sum::<usize>()
+            };
+            let all = (0..10_000_i64).flat_map(|x| (0..100_i64).map(move |y| (x, y)));
+            let best = all
+                .filter(|&(x, y)| holds(x, y) && loss(x, y) <= most)
+                .map(|(x, y)| (changed(x, a) + changed(y, b), worst(x, y)))
+                .filter(|(changed, _)| *changed <= 4)
+                .min();
+            let text = format!("({}.{:03}*n + {}.{})/(2*pi)", a / 1000, a % 1000, b / 10, b % 10);
+            let decimal = |p: i64| decimal(&format!("0.{p:04}")).unwrap().0;
+            let band = Band::new(bound.map(decimal).as_ref(), never_gains, None);
+            for n in [Exponents::Integers(16, 64), Exponents::Reals("16..64".parse().unwrap())] {
+                let found = mended_phong(&text, n, &band).remedy;
+                let digits = found.and_then(|remedy| match remedy.change {
+                    Change::Digits { line, changed } => Some((line, changed)),
+                    _ => None,
+                });
+                let Some((fewest_changed, least)) = best else {
+                    none += 1;
+                    assert!(digits.is_none(), "{text} {bound:?} {never_gains}: {digits:?}");
+                    continue;
+                };
+                let (line, changed) = digits.unwrap();
+                let read = |text: &str| text.replace('.', "").parse::<i64>().unwrap();
+                let (x, y) = (read(line.a()), read(line.b()));
+                assert!(holds(x, y));
+                assert_eq!(
+                    (changed, worst(x, y)),
+                    (fewest_changed, least),
+                    "{text} {bound:?} {never_gains}: {line:?}"
+                );
+                fewest.insert(changed);
+            }
+        }
+    }
+    assert!(fewest.len() >= 3 && none < 20, "{fewest:?} {none}");
+}
+
+/// 17/16 (n + 1 + 1/n)/(2π) times any number is no line: 1 + residual is the number times 1 + m + m², which rises
+/// in m = 1/n. Every decimal of a digit, of two, of three … is tried.
+#[test]
+fn no_multiple_of_fewer_digits_holds() {
+    let (most, least) = (1.0 + 1.0 / 16.0 + 1.0 / 256.0, 1.0 + 1.0 / 64.0 + 1.0 / 4096.0);
+    let mut digits_found = BTreeSet::new();
+    for times in [1.3, 0.7, 3.1, 0.013, 1.07, 0.9] {
+        for (bound, never_gains) in
+            [(0.1_f64, false), (0.03, false), (0.0251, false), (0.11, true), (0.051, true)]
+        {
+            let factor = format!("{times}*1.0625*(n + 1 + 1/n)/(2*pi)");
+            let (low, high) = (1.0 - bound, if never_gains { 1.0 } else { 1.0 + bound });
+            let (from, to) = (low / (times * least), high / (times * most));
+            if from <= 1.0 && 1.0 <= to {
+                continue;
+            }
+            let of_digits = |digits: u32| {
+                let scales = (-8..=4).map(|e| f64::from(10).powi(e));
+                let all = scales.flat_map(|scale| (1..10_i32.pow(digits)).map(move |k| f64::from(k) * scale));
+                let inside = all.filter(|x| (from..=to).contains(x));
+                inside.min_by(|x, y| (x - 1.0).abs().total_cmp(&(y - 1.0).abs()))
+            };
+            let (digits, nearest) = (1..=5).find_map(|d| Some((d, of_digits(d)?))).unwrap();
+            let band = Band::new(decimal(&bound.to_string()).map(|(b, _)| b).as_ref(), never_gains, None);
+            for n in [Exponents::Integers(16, 64), Exponents::Reals("16..64".parse().unwrap())] {
+                let remedy = mended_phong(&factor, n, &band).remedy.unwrap();
+                let Change::Multiple { by } = &remedy.change else { panic!("{remedy:?}") };
+                let by: f64 = by.parse().unwrap();
+                assert!((by / nearest - 1.0).abs() < 1e-12, "{factor} {bound} {never_gains}: {by} {nearest}");
+            }
+            digits_found.insert(digits);
+        }
+    }
+    assert!(digits_found.len() >= 2, "{digits_found:?}");
 }

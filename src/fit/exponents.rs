@@ -130,3 +130,81 @@ impl fmt::Display for Exponents {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bound::Formula;
+    use crate::integral::{Case, Field, Limit, Lobe};
+    use crate::kernel::model::Model;
+
+    /// Phong's integral over the support of (2) is 16/(17 n): with this factor the residual is (n + 1)/n - 1 = 1/n.
+    fn one_over_n() -> Residual<Case> {
+        let case = Case { model: Model::Phong, lobe: Lobe::Cs16, limit: Limit::Support };
+        let factor: Formula = "17*(n + 1)/(32*pi)".parse().unwrap();
+        Residual::new(case, &factor)
+    }
+
+    fn ranges() -> [Exponents; 2] {
+        [Exponents::Integers(16, 64), Exponents::Reals("16..64".parse().unwrap())]
+    }
+
+    fn one_over(n: i64) -> RBig {
+        RBig::int(1) / RBig::int(n)
+    }
+
+    /// The ends themselves are kept, and one n of all is enough to break a level.
+    #[test]
+    fn a_level_is_kept_by_all_or_not_at_all() {
+        let residual = one_over_n();
+        for n in ranges() {
+            assert!(
+                n.stay_at_most(&residual, &one_over(16)) && n.stay_at_least(&residual, &one_over(64)),
+                "{n:?}"
+            );
+            assert!(
+                !n.stay_at_most(&residual, &one_over(17)) && !n.stay_at_least(&residual, &one_over(63)),
+                "{n:?}"
+            );
+            assert!(n.have_positive_factor(&residual), "{n:?}");
+        }
+    }
+
+    #[test]
+    fn only_these_n_are_asked() {
+        let residual = one_over_n();
+        for (n, whole, real) in [
+            (16.0, true, true),
+            (20.0, true, true),
+            (20.5, false, true),
+            (64.0, true, true),
+            (15.0, false, false),
+            (65.0, false, false),
+        ] {
+            let [integers, reals] = ranges().map(|range| range.exactly(&residual, n));
+            let exact = RBig::int(2) / RBig::int((2.0 * n) as i64);
+            assert_eq!((integers, reals), (whole.then(|| exact.clone()), real.then_some(exact)), "{n}");
+        }
+    }
+
+    #[test]
+    fn a_pole_is_named() {
+        let case = Case { model: Model::Phong, lobe: Lobe::Cs16, limit: Limit::Support };
+        let pole = Residual::new(case, &"1/(n - 20)".parse().unwrap());
+        let [integers, reals] = ranges().map(|range| range.unbounded_near(&pole));
+        assert_eq!(integers, Some(20.0));
+        assert!((reals.unwrap() - 20.0).abs() < 0.1, "{reals:?}");
+        assert!(ranges().iter().all(|range| range.unbounded_near(&one_over_n()).is_none()));
+    }
+
+    #[test]
+    fn what_n_ranges_over_is_told() {
+        let [integers, reals] = ranges();
+        assert_eq!((integers.over(), reals.over()), ("integers", "reals"));
+        assert_eq!((integers.ends(), reals.ends()), ((16.0, 64.0), (16.0, 64.0)));
+        assert_eq!((integers.to_string(), reals.to_string()), ("16..64".to_owned(), "16..64".to_owned()));
+        // A single whole number stands in a range of reals that has a width.
+        assert_eq!(Exponents::Integers(16, 16).reals().map(|r| (r.from(), r.to())), Some((16.0, 17.0)));
+        assert_eq!(integers.reals().map(|r| (r.from(), r.to())), Some((16.0, 64.0)));
+    }
+}

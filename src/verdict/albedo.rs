@@ -126,6 +126,21 @@ mod tests {
     use crate::kernel::factor::{cos_n_factor, cs_16_factor_printed};
     use crate::kernel::model::Model;
 
+    /// Seven digits say nothing of what is a millionth from 1.
+    #[test]
+    fn an_albedo_near_1_is_told_by_its_distance() {
+        for (albedo, text) in [
+            (1.25, "1.2500000"),
+            (0.5, "0.5000000"),
+            (1.0 + 2e-5, "1 + 2.0e-5"),
+            (1.0 - 2e-5, "1 - 2.0e-5"),
+            (1.0 + 2e-4, "1.0002000"),
+            (1.0 - 2e-4, "0.9998000"),
+        ] {
+            assert_eq!(beside_one(albedo), text);
+        }
+    }
+
     #[test]
     fn a_formula_is_the_kernels_factor() {
         let formula = |text: &str| text.parse::<Formula>().unwrap();

@@ -160,3 +160,70 @@ impl Expectations {
         found
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const THREE: &str = r#"
+version = 1
+[[expect]]
+claim = "a"
+verdict = "proved"
+reason = "by hand"
+readings = ["one", "two"]
+[[expect]]
+claim = "b"
+verdict = "refuted"
+reason = "a witness"
+readings = ["one"]
+"#;
+
+    fn judged(claim: &str, reading: &str, verdict: Verdict) -> Judgement {
+        Judgement {
+            claim: claim.into(),
+            paper: String::new(),
+            locator: String::new(),
+            reading: reading.into(),
+            kind: "",
+            printed: String::new(),
+            computed: None,
+            evidence: None,
+            verdict,
+            witness: String::new(),
+            normalisation: None,
+        }
+    }
+
+    /// Each way to differ is told by claim and reading, and nothing else is.
+    #[test]
+    fn differences_are_told_one_by_one() {
+        let expected = Expectations::parse(THREE).unwrap();
+        let [one, two, other] = [("a", "one"), ("a", "two"), ("b", "one")];
+        let as_expected = [
+            judged(one.0, one.1, Verdict::Proved),
+            judged(two.0, two.1, Verdict::Proved),
+            judged(other.0, other.1, Verdict::Refuted),
+        ];
+        assert_eq!(expected.differences(&as_expected), []);
+        let otherwise = [
+            judged(one.0, one.1, Verdict::Undecided),
+            judged(other.0, other.1, Verdict::Refuted),
+            judged("c", "one", Verdict::Proved),
+        ];
+        assert_eq!(
+            expected.differences(&otherwise),
+            [
+                ExpectedError::Differs {
+                    claim: "a".into(),
+                    reading: "one".into(),
+                    verdict: "undecided",
+                    expected: "proved",
+                    reason: "by hand".into(),
+                },
+                ExpectedError::Unexpected { claim: "c".into(), reading: "one".into(), verdict: "proved" },
+                ExpectedError::Absent { claim: "a".into(), reading: "two".into() },
+            ]
+        );
+    }
+}

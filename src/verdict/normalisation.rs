@@ -261,4 +261,62 @@ mod tests {
             assert_eq!(number(Interval::new(lo, hi)), text);
         }
     }
+    fn asked(demand: Demand, (lo, hi): (f64, f64), verdict: Verdict) -> DemandFinding {
+        DemandFinding { demand, computed: Interval::new(lo, hi), n: 16.0, verdict }
+    }
+
+    #[test]
+    fn demands_print_what_is_asked() {
+        let number = Printed::parse("1e-3").unwrap();
+        for (demand, id, text, words) in [
+            (Demand::Positive, "positive", "", "is positive"),
+            (Demand::Bound(number.clone()), "bound", "1e-3", "|residual| ≤ 1e-3"),
+            (Demand::NeverGains, "never-gains", "", "never gains"),
+            (Demand::LosesAtMost(number), "loses-at-most", "1e-3", "loses at most 1e-3"),
+        ] {
+            assert_eq!((demand.id(), demand.printed(), demand.to_string().as_str()), (id, text, words));
+        }
+    }
+
+    /// Only what is left open is called nearly met, and only where the enclosure is a hair wide.
+    #[test]
+    fn a_hair_is_told_of_what_is_left_open() {
+        let (hair, wide) = ((-1e-12, 1e-12), (-1e-3, 1e-3));
+        for (demand, ends, verdict, says) in [
+            (Demand::NeverGains, hair, Verdict::Undecided, true),
+            (Demand::NeverGains, hair, Verdict::Proved, false),
+            (Demand::NeverGains, hair, Verdict::Refuted, false),
+            (Demand::NeverGains, wide, Verdict::Undecided, false),
+            (Demand::Positive, hair, Verdict::Undecided, false),
+        ] {
+            let text = nearly(verdict, &asked(demand.clone(), ends, verdict));
+            assert_eq!(text.contains("met to within 2.000"), says, "{demand:?} {verdict:?}: {text}");
+            assert_eq!(text.is_empty(), !says, "{demand:?} {verdict:?}: {text}");
+        }
+    }
+
+    /// The words say which demand decides, where, and whether it is decided.
+    #[test]
+    fn witnesses_say_what_decides() {
+        let number = Printed::parse("1e-3").unwrap();
+        let extreme = |x: f64, n: f64| Extreme { value: Interval::from(x), n };
+        let extremes = Extremes { max: extreme(0.25, 16.0), min: extreme(0.125, f64::INFINITY) };
+        for (demand, decided, open) in [
+            (Demand::Positive, "is not positive", "is not proved positive"),
+            (Demand::Bound(number.clone()), "Int - 1| reaches", "Int - 1| is within"),
+            (Demand::NeverGains, "gains energy", "reaches up to a value within"),
+            (Demand::LosesAtMost(number), "loses too much", "1 - 2π coef Int is within"),
+        ] {
+            for (verdict, words) in [(Verdict::Refuted, decided), (Verdict::Undecided, open)] {
+                let text = witness(verdict, Some(&asked(demand.clone(), (0.5, 0.5), verdict)), &extremes);
+                assert!(text.contains(words) && text.contains("0.5000 at n = 16"), "{text}");
+            }
+        }
+        assert_eq!(
+            witness(Verdict::Proved, None, &extremes),
+            "2π coef Int - 1 runs from 0.1250 at n → ∞ to 0.2500 at n = 16"
+        );
+        let flat = Extremes { max: extreme(0.25, 16.0), min: extreme(0.25, 16.0) };
+        assert_eq!(witness(Verdict::Proved, None, &flat), "2π coef Int - 1 is 0.2500 at n = 16");
+    }
 }

@@ -157,6 +157,15 @@ mod tests {
     }
 
     #[test]
+    fn a_unit_is_told_once_or_twice_alike() {
+        let header = |line, unit| Columns::parse(1, line, unit).map(|columns| columns.unit);
+        assert_eq!(header("theta_deg,value", None).unwrap(), Unit::Degrees);
+        assert_eq!(header("theta_deg,value", Some(Unit::Degrees)).unwrap(), Unit::Degrees);
+        let twice = header("theta_deg,value", Some(Unit::Radians));
+        assert!(matches!(twice, Err(DataError::UnitTwice { row: 1, .. })), "{twice:?}");
+    }
+
+    #[test]
     fn a_header_in_three_delimiters() {
         for delimiter in [',', ';', '\t'] {
             let line = format!(" Weight {delimiter}\"theta_deg\"{delimiter} VALUE");

@@ -209,15 +209,14 @@ impl Shape {
     /// assert!(!Shape { linear: -4.0, square: 4.0 }.falls()); // p(y) rises about y = 2/3
     /// ```
     pub fn falls(self) -> bool {
-        self.margin() >= 0.0 && self.linear <= MOST_LINEAR && self.square.abs() <= MOST_SQUARE
+        self.margin() >= 0.0 && self.linear <= MOST_LINEAR && self.square.is_finite()
     }
 }
 
 impl Shape {
     /// Whether it stands where [`falls`](Shape::falls) ends.
     pub(super) fn is_near_edge(self) -> bool {
-        let far = [self.linear / MOST_LINEAR, self.square.abs() / MOST_SQUARE];
-        self.margin() < EDGE || far.iter().any(|far| *far > 1.0 - EDGE)
+        self.margin() < EDGE || self.linear > (1.0 - EDGE) * MOST_LINEAR
     }
 }
 
@@ -225,8 +224,6 @@ impl Shape {
 const EDGE: f64 = 1e-2;
 /// α stays this far below 1, where the peak would be flat and n nothing.
 const MOST_LINEAR: f64 = 0.99;
-/// A square beyond this is a cut that no sample sees.
-const MOST_SQUARE: f64 = 100.0;
 
 #[cfg(test)]
 mod tests {
@@ -253,6 +250,23 @@ mod tests {
                     shape.margin()
                 );
             }
+        }
+    }
+
+    /// The edge is where -p' touches 0, from within a hundredth, or where the peak is all but flat.
+    #[test]
+    fn the_edge_is_told_from_inside() {
+        for (linear, square, is_near) in [
+            (0.0, 0.0, false),
+            (-0.9, 0.7, false),
+            (-1.0, 0.005, true), // 1 + α + β = 0.005 is the slope at y = 1
+            (-1.0, 0.02, false),
+            (0.985, 0.0, true), // the slope at 0 is 1 - α = 0.015: 0.985 is 99.5 % of what is let in
+            (0.975, 0.0, false),
+        ] {
+            let shape = Shape { linear, square };
+            assert!(shape.falls());
+            assert_eq!(shape.is_near_edge(), is_near, "{shape:?}");
         }
     }
 

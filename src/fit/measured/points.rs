@@ -118,3 +118,48 @@ impl Points {
         unit * unit * self.total
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fit::measured::{Family, Shape, Unit};
+
+    fn ten() -> Points {
+        let rows: Vec<(f64, f64, f64)> =
+            (0..10).map(f64::from).map(|i| (3.0 * i, 1.0 - 0.09 * i, 1.0 + i)).collect();
+        Points::new(&Samples::new(Unit::Degrees, Weighting::Weight, &rows).unwrap())
+    }
+
+    /// Ten by fours at most: every third, with its own angle, value, weight and row.
+    #[test]
+    fn every_third_stands_for_all() {
+        let all = ten();
+        assert!(all.thinned(10).is_none() && all.thinned(11).is_none());
+        let some = all.thinned(4).unwrap();
+        assert_eq!(some.row, [1, 4, 7, 10]);
+        let every: Vec<_> = all.iter().step_by(3).collect();
+        assert_eq!(some.iter().collect::<Vec<_>>(), every);
+        assert_eq!((some.len(), some.angles, some.unit, some.heaviest), (4, 4, all.unit, all.heaviest));
+        assert_eq!(some.theta_deg, [0.0, 9.0, 18.0, 27.0]);
+        let total: f64 = every.iter().map(|(_, _, v, q)| q * v * v).sum();
+        assert_eq!(some.total, total);
+    }
+
+    /// Under a lobe that is 1 everywhere the best scale is the mean, and what is left the variance; below 0 no
+    /// lobe stands.
+    #[test]
+    fn the_best_scale_is_a_mean() {
+        let flat = Lobe::new(Family::CosN, 1e-12, Shape::default());
+        let rows = |sign: f64| [(0.0, sign * 0.5, 1.0), (10.0, sign, 1.0), (20.0, sign * 0.75, 1.0)];
+        let of = |sign| {
+            let points = Points::new(&Samples::new(Unit::Degrees, Weighting::Equal, &rows(sign)).unwrap());
+            (points.project(&flat), points.total, points.unit, points.rounding())
+        };
+        let ((scale, left), total, unit, rounding) = of(1.0);
+        assert_eq!(unit, 1.0);
+        assert!((scale - 0.75).abs() < 1e-9 && (left - 0.125).abs() < 1e-9, "{scale} {left}");
+        // (4 ε)² = 2⁻¹⁰⁰ of ½² + 1² + ¾² = 29/16.
+        assert_eq!(rounding, 29.0 / 16.0 * libm::exp2(-100.0));
+        assert_eq!(of(-1.0).0, (0.0, total));
+    }
+}

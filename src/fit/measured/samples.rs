@@ -272,3 +272,17 @@ fn number(row: usize, column: &Column, text: &str) -> Result<f64, DataError> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_a_sigma_of_0_is_called_exact() {
+        for (sigma, says) in [(0.0, true), (-1.0, false), (1e-61, false), (f64::NAN, false)] {
+            let rows = [(0.0, 1.0, 0.1), (5.0, 0.5, sigma), (9.0, 0.2, 0.1)];
+            let error = Samples::new(Unit::Degrees, Weighting::Sigma, &rows).unwrap_err().to_string();
+            assert_eq!(error.contains("no measurement is exact"), says, "{sigma}: {error}");
+        }
+    }
+}

@@ -66,3 +66,49 @@ pub(super) fn exponent(points: &Points, family: Family, shape: Shape) -> (f64, f
     }
     best
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fit::measured::{Samples, Unit, Weighting};
+
+    /// Thirty samples of the family itself, to where the lobe has fallen to about e⁻⁶.
+    fn of(family: Family, n: f64) -> Points {
+        let end = (2.0 * libm::sqrt(6.0 / n)).min(1.5);
+        let at = |i: u32| end * f64::from(i) / 29.0;
+        let value = |theta: f64| {
+            let s = libm::sin(0.5 * theta);
+            0.8 * family.value(2.0 * s * s, n, Shape::default())
+        };
+        let rows: Vec<(f64, f64, f64)> = (0..30).map(at).map(|theta| (theta, value(theta), 1.0)).collect();
+        Points::new(&Samples::new(Unit::Radians, Weighting::Equal, &rows).unwrap())
+    }
+
+    /// A sum of squares that is known to 1e-16 shows ln n to √ of that.
+    #[test]
+    fn the_exponent_that_made_the_samples_is_found() {
+        for family in [Family::CosN, Family::SphericalGaussian, Family::Schlick, Family::Cubic4] {
+            for n in [21.0, 60.0, 3333.0, 2e5] {
+                let (u, square) = exponent(&of(family, n), family, Shape::default());
+                assert!((u - libm::log(n)).abs() < 1e-6, "{family} {n}: {}", libm::exp(u));
+                // The roundings of thirty squares that cancel.
+                assert!(square < 1e-13, "{family} {n}: {square}");
+            }
+        }
+    }
+
+    /// What lies beyond the range is nearest to its end, and that is returned exactly.
+    #[test]
+    fn beyond_the_range_is_its_end() {
+        for family in [Family::CosN, Family::Cubic4] {
+            let (from, to) = family.exponents();
+            let found = |n: f64| exponent(&of(family, n), family, Shape::default()).0;
+            assert_eq!(found(3.0 * to), libm::log(to), "{family}");
+            assert_eq!(
+                exponent(&of(Family::CosN, from / 3.0), family, Shape::default()).0,
+                libm::log(from),
+                "{family}"
+            );
+        }
+    }
+}

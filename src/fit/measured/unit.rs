@@ -139,6 +139,30 @@ mod tests {
         }
     }
 
+    /// A hint is for what the value may be; what is nothing gets none.
+    #[test]
+    fn hints_end_where_they_make_no_sense() {
+        for (unit, value, word) in [
+            (Unit::Degrees, 120.0, "behind"),
+            (Unit::Degrees, -180.0, "behind"),
+            (Unit::Degrees, 181.0, ""),
+            (Unit::Radians, 45.0, "theta_deg"),
+            (Unit::Radians, 91.0, ""),
+            (Unit::Cosine, -0.5, "behind"),
+            (Unit::Cosine, 45.0, "theta_deg"),
+            (Unit::Cosine, 91.0, ""),
+            (Unit::Versine, 1.5, "behind"),
+            (Unit::Versine, 45.0, "theta_deg"),
+            (Unit::Versine, 91.0, ""),
+        ] {
+            let hint = unit.hint(value);
+            assert!(
+                if word.is_empty() { hint.is_empty() } else { hint.contains(word) },
+                "{unit:?} {value}: {hint}"
+            );
+        }
+    }
+
     #[test]
     fn ends_are_rounded_and_no_further() {
         assert_eq!(Unit::Radians.read(1.571).unwrap().1, 90.0);
