@@ -144,3 +144,32 @@ fn at_a_right_angle_nothing_changes() {
         assert_eq!(family.slopes(1.0, 60.0, Shape::default())[0], 0.0, "{family}");
     }
 }
+
+/// One sample more than parameters can be fitted, and as many angles as parameters; fewer say how many there are.
+#[test]
+fn the_fewest_samples_are_one_more_than_parameters() {
+    let of = |family: Family, degrees: &[f64]| {
+        let shape = if family.is_free() { Shape { linear: -0.9, square: 0.7 } } else { Shape::default() };
+        let row =
+            |(i, &d): (usize, &f64)| (d, family.value(versine(d), 40.0, shape) + 1e-3 * (i % 2) as f64, 1.0);
+        let rows: Vec<(f64, f64, f64)> = degrees.iter().enumerate().map(row).collect();
+        let samples = Samples::new(Unit::Degrees, Weighting::Equal, &rows).unwrap();
+        Comparison::of(&samples, &[family])
+    };
+    let one = |family, degrees: &[f64]| of(family, degrees).unwrap().estimates.remove(0);
+    for angles in [&[0.0, 8.0, 16.0][..], &[4.0, 4.0, 14.0]] {
+        let found = one(Family::CosN, angles);
+        assert_eq!(found.freedom, 1);
+        assert!((20.0..80.0).contains(&found.n), "{}", found.n);
+        assert_eq!(found.to_string(), format!("cos-n: n = {}, scale = {}", found.n, found.scale));
+    }
+    for angles in [&[0.0, 5.0, 10.0, 15.0, 20.0][..], &[0.0, 0.0, 8.0, 14.0, 20.0]] {
+        assert_eq!(one(Family::Free4, angles).freedom, 1);
+    }
+    let refused = |family, degrees: &[f64]| match of(family, degrees) {
+        Ok(found) => found.failures.iter().map(|(_, why)| why.to_string()).collect::<Vec<_>>().join(""),
+        Err(error) => error.to_string(),
+    };
+    assert!(refused(Family::Free4, &[0.0, 5.0, 10.0, 15.0]).contains("4 samples for 4 parameters"));
+    assert!(refused(Family::Free4, &[0.0, 0.0, 5.0, 10.0, 10.0]).contains("3 angles for 4 parameters"));
+}

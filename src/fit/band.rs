@@ -70,4 +70,27 @@ mod tests {
         let both = Band::new(Some(&of("0.02")), true, Some(&of("0.01")));
         assert_eq!(both.ends(), (-0.01, 0.0));
     }
+    /// Enclosures that reach an end keep it, those that straddle it prove nothing.
+    #[test]
+    fn a_band_is_kept_by_whole_enclosures() {
+        use crate::bound::{Extreme, Interval};
+        let of = |text: &str| decimal(text).unwrap().0;
+        let both = Band::new(Some(&of("0.5")), false, None);
+        let never_gains = Band::new(None, true, None);
+        for (min, max, is_bounded, is_below) in [
+            ((-0.5, -0.5), (0.5, 0.5), true, false),
+            ((-0.25, -0.2), (-0.1, 0.0), true, true),
+            ((-0.6, -0.4), (0.1, 0.2), false, false),
+            ((-0.4, -0.3), (0.4, 0.6), false, false),
+            ((-0.9, -0.8), (-0.2, -0.1), false, true),
+            ((-1.0, -0.9), (-0.2, -0.1), false, false), // a factor that may be 0
+            ((-0.3, -0.2), (-1e-9, 1e-9), true, false),
+            ((f64::NEG_INFINITY, 0.0), (0.0, f64::INFINITY), false, false),
+        ] {
+            let extreme = |(lo, hi)| Extreme { value: Interval::new(lo, hi), n: 16.0 };
+            let extremes = Extremes { max: extreme(max), min: extreme(min) };
+            assert_eq!(both.holds(&extremes), is_bounded, "{extremes:?}");
+            assert_eq!(never_gains.holds(&extremes), is_below, "{extremes:?}");
+        }
+    }
 }

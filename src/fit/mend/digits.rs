@@ -136,3 +136,30 @@ fn best_slope(points: &[Point], slopes: &[(f64, String)], b: f64) -> Option<(f64
     }
     (lo < to).then(|| (worst(lo), slopes[lo].1.clone()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A zero comes to the front only before a point, or where one stood.
+    #[test]
+    fn lists_hold_every_decimal_that_is_written_so() {
+        let texts = |text: &str, changed| -> Vec<String> {
+            let all = listed(text, changed);
+            assert!(all.windows(2).all(|pair| pair[0].0 < pair[1].0), "{text}");
+            assert!(all.iter().all(|(value, text)| text.parse() == Ok(*value)), "{text}");
+            all.into_iter().map(|(_, text)| text).collect()
+        };
+        assert_eq!(texts("1.5", 0), ["1.5"]);
+        let twelve = texts("12", 1);
+        assert_eq!((twelve.len(), twelve[0].as_str(), twelve[16].as_str()), (17, "10", "92"));
+        assert_eq!(texts("0.5", 1).len(), 18);
+        assert!(texts("1.5", 1).contains(&"0.5".to_owned()));
+        assert_eq!(texts("-12", 1).len(), 17);
+        assert_eq!(texts("07", 1).len(), 18);
+        assert_eq!(texts("7", 1), ["0", "1", "2", "3", "4", "5", "6", "8", "9"]);
+        // Four of eight digits are 9⁴ · 70 decimals, too many; of five 9⁴ · 5.
+        assert!(listed("1.2345678", 4).is_empty());
+        assert_eq!(listed("1.2345", 4).len(), 32_805);
+    }
+}

@@ -249,4 +249,26 @@ mod tests {
         let mended = found(blinn, Exponents::Integers(100, 100), "n/(8*pi)", &band("1e-9", false));
         assert!(mended.ruled_out.is_empty(), "{mended:?}");
     }
+    /// Whole numbers one by one at first, then by a hundredth; both ends are among them.
+    #[test]
+    fn whole_numbers_are_sampled_from_end_to_end() {
+        let case = case(Model::Phong, Lobe::Cs16);
+        for (from, to, count) in [(16, 16, 1), (16, 40, 25), (16, 271, 256), (16, 5000, 0)] {
+            let reals = Exponents::Integers(from, to).reals().unwrap();
+            let all = samples(&Continuum::new(&case, reals), Exponents::Integers(from, to));
+            let n: Vec<f64> = all.iter().map(|s| 1.0 / s.m).collect();
+            let is = |n: f64, whole: u32| (n / f64::from(whole) - 1.0).abs() < 1e-15;
+            assert!(is(n[0], from) && is(n[n.len() - 1], to), "{from}..{to}");
+            assert!(n.iter().zip(from..=271).all(|(n, whole)| is(*n, whole)), "{from}..{to}");
+            assert!(count == 0 || n.len() == count, "{from}..{to}: {}", n.len());
+            // A step of a hundredth, rounded up to a whole number.
+            assert!(
+                n.windows(2).all(|pair| pair[1] > pair[0] && pair[1] - pair[0] < 0.01 * pair[0] + 1.0 + 1e-9)
+            );
+        }
+        let reals = Exponents::Integers(16, 65_536).reals().unwrap();
+        let all = samples(&Continuum::new(&case, reals), Exponents::Integers(16, 65_536));
+        // 256 of them, and ln(65536/272)/ln 1.01 = 551 steps; fewer, as steps are rounded up.
+        assert!((700..=808).contains(&all.len()), "{}", all.len());
+    }
 }
