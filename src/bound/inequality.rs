@@ -177,4 +177,19 @@ mod tests {
         let shifted = shift(&[RBig::int(-1), RBig::int(0), RBig::int(1)], 16);
         assert_eq!(shifted, vec![RBig::int(255), RBig::int(32), RBig::int(1),]);
     }
+    /// A proof can be checked by hand: the coefficients that are not negative are written out.
+    #[test]
+    fn a_proof_shows_its_coefficients() {
+        let proof = |lower, upper| match decide(lower, upper) {
+            Decision::Holds(steps) => steps.join("; "),
+            other => panic!("{lower} < {upper}: {other:?}"),
+        };
+        assert!(proof("n", "n + 1").ends_with("[1]"), "{}", proof("n", "n + 1"));
+        // (16 + x)² - 2 (16 + x) = 224 + 30 x + x²
+        assert!(proof("2*n", "n^2").ends_with("[224, 30, 1]"), "{}", proof("2*n", "n^2"));
+        // 2^(n/2) - n with 2^8 (1 + x/3) - 16 - x = 240 + 253/3 x from below.
+        let text = proof("2^(-n/2)", "1/n");
+        assert!(text.contains("[1]") && text.ends_with("[240, 253/3]"), "{text}");
+        assert_eq!(list(&[RBig::int(0), RBig::int(0)]), "[0]");
+    }
 }

@@ -237,8 +237,9 @@ fn rational<T: Field>(value: &RBig) -> T {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bound::{Interval, integral_enclosure};
+    use crate::bound::{Integral, Interval, integral_enclosure};
     use crate::integral::{Case, Limit, Lobe, ScaledIntegral};
+    use crate::kernel::stand_in::StandIn;
 
     /// cs_16 written as a bell with T = 16 must have the closed form's integral, on both sides of
     /// n = 54.6, where the hemisphere starts to cut the lobes in θ/2.
@@ -302,5 +303,19 @@ mod tests {
                 .rational(&Interval::from(0.0), &Interval::from(0.0))
                 .is_none()
         );
+    }
+    /// Messages name the model, the lobe and the limit as files do.
+    #[test]
+    fn an_integral_says_which_it_is() {
+        for limit in Limit::ALL {
+            let bell = LobeIntegral::of_polynomial("mine", polynomial(&["1", "-1"], 16), Model::Phong);
+            let bell = Integral::Bell(Box::new(bell.unwrap().at_limit(limit)));
+            assert_eq!(bell.describe(), format!("phong, mine, {}", limit.id()));
+            let closed = Integral::Closed(Case { model: Model::BlinnPhong, lobe: Lobe::Cs16, limit });
+            assert_eq!(closed.describe(), format!("blinn-phong, cs16, {}", limit.id()));
+        }
+        let adopted = StandIn::Cubic4;
+        let bell = LobeIntegral::new(adopted.id(), adopted.formula().unwrap(), Model::Phong).unwrap();
+        assert_eq!(bell.describe(), format!("phong, cubic-4, {}", Limit::Support.id()));
     }
 }

@@ -319,4 +319,10 @@ mod tests {
             assert_eq!(moments[j], RBig::int(a) / RBig::int(b), "{j}");
         }
     }
+    #[test]
+    fn a_bell_keeps_what_it_was_made_of() {
+        let found = bell(&["1", "-0.9", "-0.125", "0"], 8).unwrap();
+        let exact = ["1", "-0.9", "-0.125"].map(|c| decimal(c).unwrap().0);
+        assert_eq!((found.coefficients(), found.power(), found.degree()), (&exact[..], 8, 2));
+    }
 }
