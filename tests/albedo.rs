@@ -87,6 +87,19 @@ fn along_the_normal_the_condition_is_met() {
     }
 }
 
+#[test]
+fn what_is_below_the_horizon_neither_lights_nor_is_seen() {
+    let value = cos_n(20.0);
+    let lobe = Profile::new(&value, 1.0, 20.0).unwrap();
+    let (above, below): (Vec3<f64>, Vec3<f64>) = ([0.6, 0.0, 0.8], [0.6, 0.0, -0.8]);
+    for of in Reflectance::ALL {
+        assert!(of.value(&lobe, 1.0, above, above) > 0.0, "{of:?}");
+        for (to_light, to_view) in [(above, below), (below, above), (below, below)] {
+            assert_eq!(of.value(&lobe, 1.0, to_light, to_view), 0.0, "{of:?}");
+        }
+    }
+}
+
 /// At θ = π/2 the horizon halves every circle: half of what is not weighted, integrals of cⁿ times a power
 /// of the sine elsewhere, and the whole of ∫ D cos α for V-cavities.
 #[test]

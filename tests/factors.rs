@@ -333,6 +333,8 @@ fn any_integral_can_be_fitted() {
     let line =
         rows.iter().find(|r| r.form() == FactorForm::Linear && r.objective == Objective::Minimax).unwrap();
     assert_eq!((line.factor.to_string(), line.lobe.as_str()), ("(1 n + 1)/(2π)".to_owned(), "shifted"));
+    // Where nothing else is said, the lobe is integrated over its support.
+    assert_eq!(line.limit, Limit::Support.id());
     // Nothing cancels exactly without the rational form: the search ends with what boxes it has.
     assert!(line.extremes.magnitude().value.hi() < 1e-11, "{line:?}");
     // Without whole ends there is no sum, and beyond the exact line no form pays.
@@ -372,6 +374,16 @@ fn what_cannot_be_fitted_is_told() {
     assert!(fit("16..99", FactorForm::Linear, Objective::Minimax, 16).contains("16 digits"));
     let few = fit("16..17", FactorForm::InverseSquare, Objective::LsAbsolute, 12);
     assert_eq!(few, "n = 16..17: 4 values of n are needed and 2 given");
+    // As many whole n as parameters are enough.
+    for (form, text) in [(FactorForm::Linear, "16..17"), (FactorForm::Inverse, "16..18")] {
+        for objective in [Objective::LsAbsolute, Objective::LsRelative] {
+            let row = fit_factor(&support(Model::BlinnPhong), range(text), form, objective, 12).unwrap();
+            assert_eq!((row.form(), row.objective), (form, objective));
+        }
+    }
+    // No two doubles lie in it.
+    let narrow = fit("16..16.0000000000000001", FactorForm::Linear, Objective::Minimax, 12);
+    assert_eq!(narrow, FitError::Reals { text: "16..16".to_owned() }.to_string());
     assert!(matches!(Reals::new(f64::NAN, 3.0), Err(FitError::Reals { .. })));
     assert!(matches!(Reals::new(3.0, f64::NAN), Err(FitError::Reals { .. })));
 }

@@ -312,8 +312,10 @@ mod tests {
                 assert!(text.contains(words) && text.contains("0.5000 at n = 16"), "{text}");
             }
         }
+        // What is proved is told of all n, whatever demand came first.
+        let proved = asked(Demand::NeverGains, (-0.5, -0.5), Verdict::Proved);
         assert_eq!(
-            witness(Verdict::Proved, None, &extremes),
+            witness(Verdict::Proved, Some(&proved), &extremes),
             "2π coef Int - 1 runs from 0.1250 at n → ∞ to 0.2500 at n = 16"
         );
         let flat = Extremes { max: extreme(0.25, 16.0), min: extreme(0.25, 16.0) };

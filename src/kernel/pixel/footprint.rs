@@ -173,6 +173,19 @@ mod tests {
     use super::*;
     use crate::kernel::pixel::{Jacobian, Padding};
 
+    /// A square beyond the type is no footprint, whichever it is.
+    #[test]
+    fn one_infinite_square_is_enough() {
+        let none = Jacobian { ux: 0.0_f64, vx: 0.0, uy: 0.0, vy: 0.0 };
+        let (u, v) = (Jacobian { ux: 1e200, ..none }, Jacobian { vy: 1e200, ..none });
+        for j in [u, v, Jacobian { ux: 1e100, vy: 1e100, ..none }] {
+            for padding in [Padding::Plain, Padding::Padded] {
+                let Footprint { uu, uv, vv, determinant } = Footprint::of(j, padding);
+                assert!([uu, uv, vv, determinant].iter().all(|x| x.is_nan()), "{j:?}");
+            }
+        }
+    }
+
     #[test]
     fn exchanging_the_axes_exchanges_the_bounds_and_keeps_q() {
         let j = Jacobian { ux: 3.0_f64, vx: 5.0, uy: 4.0, vy: 12.0 };
